@@ -1,0 +1,13 @@
+/** Troupe: plans how digital actors move. */
+module troupe {
+    requires java.desktop;
+    requires java.xml;
+    requires java.prefs;
+    requires java.logging;
+
+    exports troupe.geometry;
+    exports troupe.scene;
+    exports troupe.search;
+    exports troupe.grid;
+    exports troupe.run;
+}

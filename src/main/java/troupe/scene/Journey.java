@@ -1,0 +1,58 @@
+package troupe.scene;
+
+/**
+ * Asks the unified planner to take an actor from start to goal.
+ *
+ * @param actor id of the actor
+ * @param spread the order in which NF2 spreads along its skeleton
+ * @param slice expansions that one turn of the search buys a manipulation instance, at least 1
+ * @param expansions the most labels the search may expand before it gives up as exhausted, at least 1
+ */
+public record Journey(
+        String id,
+        String label,
+        String actor,
+        Place start,
+        Place goal,
+        Preferences preferences,
+        Ordering ordering,
+        Spread spread,
+        int slice,
+        long expansions,
+        long seed)
+        implements Task {
+    public static final int DEFAULT_SLICE = 2_000;
+    public static final long DEFAULT_EXPANSIONS = 50_000_000;
+
+    /** Order in which NF2 spreads along the skeleton: one wave after another, or widest place first. */
+    public enum Spread {
+        BREADTH,
+        CLEARANCE
+    }
+
+    /** Makes a journey with every setting at its default. */
+    public static Journey of(String id, String actor, Place start, Place goal) {
+        return new Journey(
+                id,
+                "",
+                actor,
+                start,
+                goal,
+                Preferences.NEUTRAL,
+                Ordering.OPTIMAL,
+                Spread.BREADTH,
+                DEFAULT_SLICE,
+                DEFAULT_EXPANSIONS,
+                1);
+    }
+
+    @Override
+    public String kind() {
+        return "journey";
+    }
+
+    /** Returns this journey between other places. */
+    public Journey between(Place from, Place to) {
+        return new Journey(id, label, actor, from, to, preferences, ordering, spread, slice, expansions, seed);
+    }
+}

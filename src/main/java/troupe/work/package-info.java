@@ -1,0 +1,8 @@
+/**
+ * Holds the registry that starts any task, batches, golden runs, and the checks of a scene that need the
+ * grid.
+ *
+ * <p>Guarantees: every front starts a task the same way; results do not depend on the number of threads.
+ * May use everything but the fronts.
+ */
+package troupe.work;
