@@ -1,6 +1,6 @@
 /** Troupe: plans how digital actors move. */
 module troupe {
-    requires java.desktop;
+    requires transitive java.desktop;
     requires java.xml;
     requires java.prefs;
     requires java.logging;
@@ -10,4 +10,6 @@ module troupe {
     exports troupe.search;
     exports troupe.grid;
     exports troupe.run;
+    exports troupe.paint;
+    exports troupe.exchange;
 }
