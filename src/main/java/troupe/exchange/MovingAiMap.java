@@ -97,10 +97,11 @@ public final class MovingAiMap {
                 switch (row.charAt(x)) {
                     case '.', 'G', 'S' -> {}
                     case '@', 'T', 'O', 'W' -> blocked.set(y * width + x);
-                    default -> throw lines.wrong(
-                            x + 1,
-                            "found " + ExchangeException.quoted(row.substring(x, x + 1)),
-                            "a cell is one of . G S (free) @ T O W (blocked)");
+                    default ->
+                        throw lines.wrong(
+                                x + 1,
+                                "found " + ExchangeException.quoted(row.substring(x, x + 1)),
+                                "a cell is one of . G S (free) @ T O W (blocked)");
                 }
             }
         }
@@ -145,8 +146,8 @@ public final class MovingAiMap {
 
     private int index(int x, int y) {
         if (x < 0 || y < 0 || x >= width || y >= height) {
-            throw new IllegalArgumentException(
-                    "cell " + x + "," + y + "; the map has columns 0 to " + (width - 1) + ", rows 0 to " + (height - 1));
+            throw new IllegalArgumentException("cell " + x + "," + y + "; the map has columns 0 to " + (width - 1)
+                    + ", rows 0 to " + (height - 1));
         }
         return y * width + x;
     }

@@ -96,9 +96,7 @@ public final class MovingAiProblems {
         String[] words = line.split(line.indexOf('\t') >= 0 ? "\\s*\t\\s*" : "\\s+", 2 * COLUMNS);
         if (words.length < COLUMNS) {
             throw lines.wrong(
-                    0,
-                    words.length + " columns",
-                    "give 9: bucket map width height startX startY goalX goalY length");
+                    0, words.length + " columns", "give 9: bucket map width height startX startY goalX goalY length");
         }
         int last = words.length - 1;
         String map = String.join(" ", Arrays.copyOfRange(words, 1, last - 6));

@@ -65,8 +65,6 @@ final class TextLines {
             }
         }
         throw wrong(
-                0,
-                what + " is " + ExchangeException.quoted(text),
-                "give a whole number from " + least + " to " + most);
+                0, what + " is " + ExchangeException.quoted(text), "give a whole number from " + least + " to " + most);
     }
 }

@@ -50,10 +50,7 @@ class MovingAiTest {
         List<Polygon> outlines =
                 scene.obstacles().stream().map(Obstacle::outline).toList();
         assertEquals(
-                List.of(
-                        Polygon.rectangle(1, 1, 3, 3),
-                        Polygon.rectangle(0, 0, 1, 1),
-                        Polygon.rectangle(2, 0, 4, 1)),
+                List.of(Polygon.rectangle(1, 1, 3, 3), Polygon.rectangle(0, 0, 1, 1), Polygon.rectangle(2, 0, 4, 1)),
                 outlines);
         assertEquals(0, scene.actors().get(0).walk().radius());
         assertEquals(0, scene.actors().get(0).footRadius());
@@ -70,9 +67,8 @@ class MovingAiTest {
             int[] covers = new int[frame.size()];
             for (Obstacle wall : scene.obstacles()) {
                 for (int i = 0; i < covers.length; i++) {
-                    covers[i] += wall.outline().contains(frame.centreX(frame.col(i)), frame.centreY(frame.row(i)))
-                            ? 1
-                            : 0;
+                    covers[i] +=
+                            wall.outline().contains(frame.centreX(frame.col(i)), frame.centreY(frame.row(i))) ? 1 : 0;
                 }
             }
             for (int y = 0; y < map.height(); y++) {
@@ -105,19 +101,22 @@ class MovingAiTest {
     @Test
     void saysInOneLineWhereAMapIsWrongAndWhatToDo() {
         assertMessage(
-                "small.map:5:3: found 'x'; a cell is one of . G S (free) @ T O W (blocked)", SMALL.replace(".@@.", ".@x."));
+                "small.map:5:3: found 'x'; a cell is one of . G S (free) @ T O W (blocked)",
+                SMALL.replace(".@@.", ".@x."));
         assertMessage("small.map:6: a row of 3 cells; give 4, as the width says", SMALL.replace(".@@G", ".@@"));
         assertMessage("small.map:6: ends before row 3 of 3; give the whole file", SMALL.replace("TSWO\n", ""));
         assertMessage("small.map:8:1: found '....'; end the map after 3 rows", SMALL + "....\n");
         assertMessage(
-                "small.map:3: width is '99999'; give a whole number from 1 to 65536", SMALL.replace("width 4", "width 99999"));
+                "small.map:3: width is '99999'; give a whole number from 1 to 65536",
+                SMALL.replace("width 4", "width 99999"));
         assertMessage(
                 "small.map:4: a map of 60000 x 60000 cells; give width and height with at most 16777216 cells in all",
                 "type octile\nheight 60000\nwidth 60000\nmap\n");
     }
 
     private static void assertMessage(String message, String text) {
-        assertEquals(message, assertThrows(ExchangeException.class, () -> map(text)).getMessage());
+        assertEquals(
+                message, assertThrows(ExchangeException.class, () -> map(text)).getMessage());
     }
 
     @Test
