@@ -1,0 +1,114 @@
+package troupe.search;
+
+import java.util.Arrays;
+
+/**
+ * Keeps the labels of a search in growing columns of primitives. A label is a number from 0 in order of
+ * making; it tells a state, the label it came from, the cost so far, what has been used up of a limit,
+ * where something under way began, and the next label of the same chain. Labels are never removed one by
+ * one. Adding costs O(1) amortised.
+ */
+public final class LabelPool {
+    /** Stands for no label and no beginning. */
+    public static final int NONE = -1;
+
+    private int[] states;
+    private int[] parents;
+    private int[] nexts;
+    private int[] begins;
+    private long[] costs;
+    private double[] used;
+    private int size;
+
+    /** Makes an empty pool with room for {@code capacity} labels, at least 1, before it grows. */
+    public LabelPool(int capacity) {
+        if (capacity < 1) {
+            throw new IllegalArgumentException("capacity=" + capacity + "; needs at least 1");
+        }
+        states = new int[capacity];
+        parents = new int[capacity];
+        nexts = new int[capacity];
+        begins = new int[capacity];
+        costs = new long[capacity];
+        used = new double[capacity];
+    }
+
+    /** Forgets every label; keeps the memory. */
+    public void clear() {
+        size = 0;
+    }
+
+    /** Returns the number of labels. */
+    public int size() {
+        return size;
+    }
+
+    /**
+     * Adds a label and returns its number.
+     *
+     * @param state what it stands for
+     * @param parent the label it came from, or {@link #NONE}
+     * @param cost the cost so far
+     * @param used how much of a limit is used up
+     * @param begin where something under way began, or {@link #NONE}
+     * @param next the next label of its chain, or {@link #NONE}
+     */
+    public int add(int state, int parent, long cost, double used, int begin, int next) {
+        if (size == states.length) {
+            grow();
+        }
+        int label = size++;
+        states[label] = state;
+        parents[label] = parent;
+        costs[label] = cost;
+        this.used[label] = used;
+        begins[label] = begin;
+        nexts[label] = next;
+        return label;
+    }
+
+    private void grow() {
+        int capacity = Math.addExact(size, size);
+        states = Arrays.copyOf(states, capacity);
+        parents = Arrays.copyOf(parents, capacity);
+        nexts = Arrays.copyOf(nexts, capacity);
+        begins = Arrays.copyOf(begins, capacity);
+        costs = Arrays.copyOf(costs, capacity);
+        used = Arrays.copyOf(used, capacity);
+    }
+
+    /** Returns the state of a label. */
+    public int state(int label) {
+        return states[label];
+    }
+
+    /** Returns the label that a label came from, or {@link #NONE}. */
+    public int parent(int label) {
+        return parents[label];
+    }
+
+    /** Returns the cost so far of a label. */
+    public long cost(int label) {
+        return costs[label];
+    }
+
+    /** Returns how much of a limit a label has used up. */
+    public double used(int label) {
+        return used[label];
+    }
+
+    /** Returns where that which is under way at a label began, or {@link #NONE}. */
+    public int begin(int label) {
+        return begins[label];
+    }
+
+    /** Returns the next label of a label's chain, or {@link #NONE}. */
+    public int next(int label) {
+        return nexts[label];
+    }
+
+    /** Sets the next label of a label's chain. */
+    public void setNext(int label, int next) {
+        nexts[label] = next;
+    }
+}
