@@ -1,0 +1,87 @@
+package troupe.paint;
+
+import java.awt.Graphics2D;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Path2D;
+import troupe.run.Overlay;
+
+/**
+ * Paints one overlay: fields of numbers by a colour map and contour lines, fields of categories by colour
+ * and pattern, points as discs, polylines as thin lines. Immutable; serves any thread. The contours are
+ * traced once, in the constructor.
+ */
+public final class OverlayPainter {
+    private static final double POINT_RADIUS = 3.2;
+
+    private final Overlay overlay;
+    private final Theme theme;
+    private final boolean filled;
+    private final Path2D contours;
+
+    /** Makes a painter that fills fields. */
+    public OverlayPainter(Overlay overlay, Theme theme) {
+        this(overlay, theme, true);
+    }
+
+    /**
+     * Makes a painter. Cost O(cells) for each contour line of a field.
+     *
+     * @param filled false to leave a field of numbers to its contour lines alone, if it has any
+     */
+    public OverlayPainter(Overlay overlay, Theme theme, boolean filled) {
+        this.overlay = overlay;
+        this.theme = theme;
+        boolean lined = overlay instanceof Overlay.Field f
+                && f.scale() instanceof Overlay.Continuous c
+                && c.contour() > 0;
+        this.filled = filled || !lined;
+        this.contours = lined ? contours((Overlay.Field) overlay) : null;
+    }
+
+    private static Path2D contours(Overlay.Field field) {
+        Overlay.Continuous scale = (Overlay.Continuous) field.scale();
+        return new Contours(field).lines(scale.min(), scale.max(), scale.contour());
+    }
+
+    /** Paints the part of the overlay that lies in the clip. */
+    public void paint(Graphics2D graphics, Viewport view) {
+        Graphics2D g = Shapes.smooth(graphics);
+        if (overlay instanceof Overlay.Field field) {
+            if (filled) {
+                new FieldRaster(field, theme).paint(g, view);
+            }
+            if (contours != null) {
+                g.setColor(filled ? theme.color(Tone.TEXT, 0.35) : theme.color(Tone.CONTOUR));
+                g.setStroke(Theme.line(filled ? 0.8f : 1.1f));
+                g.draw(view.transform().createTransformedShape(contours));
+            }
+        } else if (overlay instanceof Overlay.Lines lines) {
+            g.setColor(theme.color(lineTone(overlay.key())));
+            g.setStroke(Theme.line(1.6f));
+            for (double[] line : lines.lines()) {
+                g.draw(Shapes.line(line, 2, view));
+            }
+        } else if (overlay instanceof Overlay.Points points) {
+            double[] at = points.coordinates();
+            for (int k = 0; k + 1 < at.length; k += 2) {
+                paintPoint(g, theme, view.px(at[k]), view.py(at[k + 1]));
+            }
+        }
+        g.dispose();
+    }
+
+    static void paintPoint(Graphics2D g, Theme theme, double x, double y) {
+        Ellipse2D disc =
+                new Ellipse2D.Double(x - POINT_RADIUS, y - POINT_RADIUS, 2 * POINT_RADIUS, 2 * POINT_RADIUS);
+        g.setColor(theme.color(Tone.MOVE));
+        g.fill(disc);
+        g.setColor(theme.color(Tone.PANEL));
+        g.setStroke(Theme.line(1.2f));
+        g.draw(disc);
+    }
+
+    /** Returns the colour of polylines of a kind: the skeleton its own, others the accent. */
+    static Tone lineTone(String key) {
+        return key.equals("skeleton") ? Tone.SKELETON : Tone.ACCENT;
+    }
+}

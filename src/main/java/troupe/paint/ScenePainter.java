@@ -1,0 +1,246 @@
+package troupe.paint;
+
+import java.awt.Color;
+import java.awt.Font;
+import java.awt.Graphics2D;
+import java.awt.Rectangle;
+import java.awt.Shape;
+import java.awt.geom.AffineTransform;
+import java.awt.geom.Path2D;
+import java.awt.geom.Rectangle2D;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Set;
+import troupe.geometry.Point;
+import troupe.scene.Ditch;
+import troupe.scene.Obstacle;
+import troupe.scene.Scene;
+import troupe.scene.World;
+
+/**
+ * Paints the world, its ditches and its obstacles as seen from above: what is higher covers what is
+ * lower, heights are told by shade and, on low things, by a number; what hangs is see-through with a
+ * dashed outline; movable obstacles are of hatched wood. Immutable; serves any thread.
+ */
+public final class ScenePainter {
+    private static final float TEXT_SIZE = 12;
+    private static final double GRID_PIXELS = 20;
+    private static final double HANGING_OPACITY = 0.5;
+    private static final double ABOVE_OPACITY = 0.12;
+    private static final double GRAIN_SPACING = 8;
+
+    private final Scene scene;
+    private final Theme theme;
+    private final List<ObstacleLook> looks;
+    private final List<Ditch> ditches;
+    private final double elevation;
+    private final Set<String> numbered;
+
+    /** Makes a painter that shows everything. Cost O(n log n) in the number of obstacles. */
+    public ScenePainter(Scene scene, Theme theme) {
+        this(
+                scene,
+                theme,
+                ObstacleLook.of(scene.obstacles()),
+                scene.ditches().stream()
+                        .sorted(Comparator.comparingDouble(Ditch::depth))
+                        .toList(),
+                Double.POSITIVE_INFINITY,
+                Set.of());
+    }
+
+    private ScenePainter(
+            Scene scene,
+            Theme theme,
+            List<ObstacleLook> looks,
+            List<Ditch> ditches,
+            double elevation,
+            Set<String> numbered) {
+        this.scene = scene;
+        this.theme = theme;
+        this.looks = looks;
+        this.ditches = ditches;
+        this.elevation = elevation;
+        this.numbered = numbered;
+    }
+
+    /** Returns a painter that leaves only a trace of what begins above {@code metres} over the ground. */
+    public ScenePainter upTo(double metres) {
+        return new ScenePainter(scene, theme, looks, ditches, metres, numbered);
+    }
+
+    /** Returns a painter that writes the heights of these elements too, whatever they are. */
+    public ScenePainter numbering(Set<String> ids) {
+        return new ScenePainter(scene, theme, looks, ditches, elevation, Set.copyOf(ids));
+    }
+
+    /** Paints everything, text included. */
+    public void paint(Graphics2D g, Viewport view) {
+        paintGround(g, view);
+        paintObstacles(g, view);
+        paintLabels(g, view, new Labels());
+    }
+
+    /** Paints the floor, its faint grid and the ditches. */
+    public void paintGround(Graphics2D graphics, Viewport view) {
+        Graphics2D g = Shapes.smooth(graphics);
+        World world = scene.world();
+        Rectangle2D floor = new Rectangle2D.Double(
+                view.px(0), view.py(world.depth()), world.width() * view.scale(), world.depth() * view.scale());
+        g.setColor(theme.color(Tone.FLOOR));
+        g.fill(floor);
+        paintGrid(g, view, floor);
+        AffineTransform toPixels = view.transform();
+        for (Ditch ditch : ditches) {
+            Shape shape = toPixels.createTransformedShape(Shapes.path(ditch.outline()));
+            g.setColor(theme.color(Tone.DITCH, 0.8));
+            g.fill(shape);
+            g.setColor(theme.color(Tone.DITCH_EDGE));
+            g.setStroke(Theme.line(1));
+            g.draw(shape);
+        }
+        g.setColor(theme.color(Tone.LINE));
+        g.setStroke(Theme.line(1));
+        g.draw(floor);
+        g.dispose();
+    }
+
+    private void paintGrid(Graphics2D g, Viewport view, Rectangle2D floor) {
+        double step = ScaleBar.nice(GRID_PIXELS / view.scale());
+        Rectangle clip = g.getClipBounds();
+        Rectangle2D seen = clip == null ? floor : floor.createIntersection(clip);
+        if (seen.isEmpty()) {
+            return;
+        }
+        Path2D lines = new Path2D.Double();
+        double from = Math.ceil(view.x(seen.getMinX()) / step) * step;
+        for (double x = from; view.px(x) <= seen.getMaxX(); x += step) {
+            lines.moveTo(view.px(x), seen.getMinY());
+            lines.lineTo(view.px(x), seen.getMaxY());
+        }
+        from = Math.ceil(view.y(seen.getMaxY()) / step) * step;
+        for (double y = from; view.py(y) >= seen.getMinY(); y += step) {
+            lines.moveTo(seen.getMinX(), view.py(y));
+            lines.lineTo(seen.getMaxX(), view.py(y));
+        }
+        g.setColor(theme.color(Tone.GRID));
+        g.setStroke(Theme.line(1));
+        g.draw(lines);
+    }
+
+    /** Paints the obstacles, lowest top first. */
+    public void paintObstacles(Graphics2D graphics, Viewport view) {
+        Graphics2D g = Shapes.smooth(graphics);
+        AffineTransform toPixels = view.transform();
+        Rectangle clip = g.getClipBounds();
+        for (ObstacleLook look : looks) {
+            Shape shape = toPixels.createTransformedShape(look.path());
+            if (clip == null || shape.getBounds2D().intersects(grown(clip))) {
+                paintObstacle(g, look, shape);
+            }
+        }
+        g.dispose();
+    }
+
+    private static Rectangle2D grown(Rectangle r) {
+        return new Rectangle2D.Double(r.x - 2, r.y - 2, r.width + 4.0, r.height + 4.0);
+    }
+
+    private void paintObstacle(Graphics2D g, ObstacleLook look, Shape shape) {
+        Obstacle obstacle = look.obstacle();
+        Color fill = look.fill(theme);
+        boolean above = obstacle.offset() > elevation + 1e-9;
+        double opacity = above ? ABOVE_OPACITY : look.hanging() ? HANGING_OPACITY : 1;
+        Color seen = new Color(fill.getRed(), fill.getGreen(), fill.getBlue(), (int) Math.round(255 * opacity));
+        g.setColor(seen);
+        g.fill(shape);
+        Color edge = edge(obstacle, fill);
+        if (obstacle.movable()) {
+            g.setColor(above ? theme.color(Tone.GRAIN, opacity) : edge);
+            g.setStroke(Theme.line(1.2f));
+            g.draw(Shapes.hatch(shape, GRAIN_SPACING));
+            g.draw(shape);
+        } else if (look.hanging() || above) {
+            g.setColor(look.hanging() ? theme.color(Tone.DECK_EDGE) : edge);
+            g.setStroke(Theme.line(1, 5, 3));
+            g.draw(shape);
+        } else {
+            g.setColor(look.low() || look.stair() ? edge : fill);
+            g.setStroke(Theme.line(0.8f));
+            g.draw(shape);
+        }
+    }
+
+    private Color edge(Obstacle obstacle, Color fill) {
+        return obstacle.movable() && obstacle.colour().isEmpty()
+                ? theme.color(Tone.GRAIN)
+                : Shapes.blend(fill, Color.BLACK, 0.22);
+    }
+
+    /** Paints heights and names where they fit; {@code labels} keeps texts apart. */
+    public void paintLabels(Graphics2D graphics, Viewport view, Labels labels) {
+        Graphics2D g = Shapes.smooth(graphics);
+        Font font = Theme.font(TEXT_SIZE);
+        for (Ditch ditch : ditches) {
+            Point centre = ditch.outline().centroid();
+            Rectangle2D room = view.transform()
+                    .createTransformedShape(Shapes.path(ditch.outline()))
+                    .getBounds2D();
+            paintInside(g, font, labels, view, room, centre, Shapes.metres(-ditch.depth()), theme.color(Tone.TEXT));
+        }
+        for (int i = looks.size() - 1; i >= 0; i--) {
+            ObstacleLook look = looks.get(i);
+            Obstacle obstacle = look.obstacle();
+            boolean asked = numbered.contains(obstacle.id());
+            if (asked || look.low() && !obstacle.movable() && obstacle.offset() <= elevation) {
+                paintLabel(g, font, labels, view, look, asked);
+            }
+        }
+        g.dispose();
+    }
+
+    private void paintLabel(Graphics2D g, Font font, Labels labels, Viewport view, ObstacleLook look, boolean asked) {
+        Obstacle obstacle = look.obstacle();
+        Point centre = obstacle.outline().centroid();
+        String number = Shapes.metres(obstacle.top());
+        Rectangle2D room =
+                view.transform().createTransformedShape(look.path()).getBounds2D();
+        Color ink = look.hanging() ? theme.color(Tone.TEXT) : Shapes.ink(look.fill(theme));
+        boolean named = !obstacle.label().isEmpty()
+                && paintInside(g, font, labels, view, room, centre, obstacle.label() + " " + number, ink);
+        if (named || paintInside(g, font, labels, view, room, centre, number, ink)) {
+            return;
+        }
+        Rectangle2D text = Labels.around(g, font, number, 0, 0);
+        double up = text.getHeight() / 2 + 2;
+        double[] ys = {room.getMinY() - up, room.getMaxY() + up};
+        double[] xs = {room.getMinX() + text.getWidth() / 2 + 6, room.getMaxX() - text.getWidth() / 2 - 6};
+        boolean wide = room.getWidth() > room.getHeight();
+        for (int k = 0; k < 4 && (wide || asked); k++) {
+            Rectangle2D place = Labels.around(g, font, number, xs[k / 2], ys[k % 2]);
+            if (labels.free(place)) {
+                labels.draw(g, font, number, place, theme.color(Tone.DIM));
+                return;
+            }
+        }
+    }
+
+    private static boolean paintInside(
+            Graphics2D g,
+            Font font,
+            Labels labels,
+            Viewport view,
+            Rectangle2D room,
+            Point centre,
+            String text,
+            Color ink) {
+        Rectangle2D place = Labels.around(g, font, text, view.px(centre.x()), view.py(centre.y()));
+        Rectangle2D padded = new Rectangle2D.Double(
+                place.getX() - 3, place.getY() + 1, place.getWidth() + 6, place.getHeight() - 2);
+        if (!room.contains(padded) || !labels.free(place)) {
+            return false;
+        }
+        labels.draw(g, font, text, place, ink);
+        return true;
+    }
+}
