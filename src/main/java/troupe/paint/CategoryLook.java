@@ -12,8 +12,7 @@ record CategoryLook(Color colour, Pattern pattern) {
     private static final Pattern[] OTHER_PATTERNS = {
         Pattern.PLAIN, Pattern.RISING, Pattern.DOTS, Pattern.FALLING, Pattern.LEVEL, Pattern.UPRIGHT
     };
-    private static final Tone[] OTHER_TONES = {
-        Tone.WALK, Tone.VAULT, Tone.SIDESTEP, Tone.STRIDE, Tone.MOVE, Tone.DITCH
+    private static final Tone[] OTHER_TONES = {Tone.WALK, Tone.VAULT, Tone.SIDESTEP, Tone.STRIDE, Tone.MOVE, Tone.DITCH
     };
 
     /** How the pixels of a category are set, by their place in tiles of eight pixels. */

@@ -59,8 +59,8 @@ final class FieldRaster {
                 }
             }
         }
-        AffineTransform place = new AffineTransform(
-                (double) seen.width / width, 0, 0, (double) seen.height / height, seen.x, seen.y);
+        AffineTransform place =
+                new AffineTransform((double) seen.width / width, 0, 0, (double) seen.height / height, seen.x, seen.y);
         g.drawImage(image, place, null);
     }
 
@@ -74,9 +74,8 @@ final class FieldRaster {
             ColourMap map = new ColourMap(theme);
             double span = scale.max() > scale.min() ? scale.max() - scale.min() : 1;
             int alpha = (int) Math.round(255 * CONTINUOUS_OPACITY) << 24;
-            return (value, x, y) -> Float.isInfinite(value)
-                    ? 0
-                    : alpha | map.argb((value - scale.min()) / span) & 0xffffff;
+            return (value, x, y) ->
+                    Float.isInfinite(value) ? 0 : alpha | map.argb((value - scale.min()) / span) & 0xffffff;
         }
         CategoryLook[] looks = CategoryLook.of(((Overlay.Categories) field.scale()).words(), theme);
         return (value, x, y) -> value >= 0 && value < looks.length

@@ -31,9 +31,8 @@ public final class OverlayPainter {
     public OverlayPainter(Overlay overlay, Theme theme, boolean filled) {
         this.overlay = overlay;
         this.theme = theme;
-        boolean lined = overlay instanceof Overlay.Field f
-                && f.scale() instanceof Overlay.Continuous c
-                && c.contour() > 0;
+        boolean lined =
+                overlay instanceof Overlay.Field f && f.scale() instanceof Overlay.Continuous c && c.contour() > 0;
         this.filled = filled || !lined;
         this.contours = lined ? contours((Overlay.Field) overlay) : null;
     }
@@ -71,8 +70,7 @@ public final class OverlayPainter {
     }
 
     static void paintPoint(Graphics2D g, Theme theme, double x, double y) {
-        Ellipse2D disc =
-                new Ellipse2D.Double(x - POINT_RADIUS, y - POINT_RADIUS, 2 * POINT_RADIUS, 2 * POINT_RADIUS);
+        Ellipse2D disc = new Ellipse2D.Double(x - POINT_RADIUS, y - POINT_RADIUS, 2 * POINT_RADIUS, 2 * POINT_RADIUS);
         g.setColor(theme.color(Tone.MOVE));
         g.fill(disc);
         g.setColor(theme.color(Tone.PANEL));

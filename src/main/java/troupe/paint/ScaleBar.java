@@ -49,7 +49,9 @@ public final class ScaleBar {
         g.setColor(theme.color(Tone.TEXT, 0.8));
         g.setStroke(Theme.line(1.4f));
         g.draw(bar);
-        String text = (metres < 1 ? String.format(Locale.ROOT, "%.2f", metres) : String.format(Locale.ROOT, "%.0f", metres)) + " m";
+        String text =
+                (metres < 1 ? String.format(Locale.ROOT, "%.2f", metres) : String.format(Locale.ROOT, "%.0f", metres))
+                        + " m";
         Font font = Theme.font(TEXT_SIZE);
         Rectangle2D place = Labels.around(g, font, text, (left + right) / 2, bottom - 17);
         new Labels().draw(g, font, text, place, theme.color(Tone.TEXT));

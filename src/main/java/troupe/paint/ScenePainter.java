@@ -203,8 +203,7 @@ public final class ScenePainter {
         Obstacle obstacle = look.obstacle();
         Point centre = obstacle.outline().centroid();
         String number = Shapes.metres(obstacle.top());
-        Rectangle2D room =
-                view.transform().createTransformedShape(look.path()).getBounds2D();
+        Rectangle2D room = view.transform().createTransformedShape(look.path()).getBounds2D();
         Color ink = look.hanging() ? theme.color(Tone.TEXT) : Shapes.ink(look.fill(theme));
         boolean named = !obstacle.label().isEmpty()
                 && paintInside(g, font, labels, view, room, centre, obstacle.label() + " " + number, ink);
@@ -235,8 +234,8 @@ public final class ScenePainter {
             String text,
             Color ink) {
         Rectangle2D place = Labels.around(g, font, text, view.px(centre.x()), view.py(centre.y()));
-        Rectangle2D padded = new Rectangle2D.Double(
-                place.getX() - 3, place.getY() + 1, place.getWidth() + 6, place.getHeight() - 2);
+        Rectangle2D padded =
+                new Rectangle2D.Double(place.getX() - 3, place.getY() + 1, place.getWidth() + 6, place.getHeight() - 2);
         if (!room.contains(padded) || !labels.free(place)) {
             return false;
         }
