@@ -1,0 +1,111 @@
+package troupe.app.document;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.List;
+import java.util.Set;
+import troupe.geometry.Point;
+import troupe.geometry.Polygon;
+import troupe.geometry.Pose;
+import troupe.scene.Ability;
+import troupe.scene.Ditch;
+import troupe.scene.Element;
+import troupe.scene.Journey;
+import troupe.scene.Obstacle;
+import troupe.scene.Place;
+import troupe.scene.Preferences;
+import troupe.scene.Scene;
+
+/** Makes changed scenes out of scenes: what the tools and the inspector do. Pure; safe on any thread. */
+public final class SceneEdits {
+    private SceneEdits() {}
+
+    /** Returns the scene with the obstacles and ditches of these ids shifted by {@code (dx, dy)} metres. */
+    public static Scene shifted(Scene scene, Collection<String> ids, double dx, double dy) {
+        Scene changed = scene;
+        for (String id : ids) {
+            Element element = scene.element(id).orElse(null);
+            if (element instanceof Obstacle obstacle) {
+                changed = changed.with(obstacle.withOutline(obstacle.outline().shifted(dx, dy)));
+            } else if (element instanceof Ditch ditch) {
+                changed = changed.with(ditch.withOutline(ditch.outline().shifted(dx, dy)));
+            }
+        }
+        return changed;
+    }
+
+    /** Returns the outline with its area centroid at {@code centre}, rounded to a tenth of a millimetre. */
+    public static Polygon centred(Polygon outline, Point centre) {
+        Point from = outline.centroid();
+        return rounded(outline.shifted(centre.x() - from.x(), centre.y() - from.y()));
+    }
+
+    /** Returns the outline turned about its area centroid, counter-clockwise, rounded to a tenth of a millimetre. */
+    public static Polygon turned(Polygon outline, double rad) {
+        Point centre = outline.centroid();
+        return rounded(outline.at(new Pose(centre.x(), centre.y(), rad)));
+    }
+
+    /** Returns the outline with each corner rounded to a tenth of a millimetre, so that files stay readable. */
+    public static Polygon rounded(Polygon outline) {
+        double[] xs = new double[outline.size()];
+        double[] ys = new double[outline.size()];
+        for (int i = 0; i < xs.length; i++) {
+            xs[i] = rounded(outline.x(i));
+            ys[i] = rounded(outline.y(i));
+        }
+        return new Polygon(xs, ys);
+    }
+
+    /** Returns a length in metres rounded to a tenth of a millimetre. */
+    public static double rounded(double metres) {
+        return Math.rint(metres * 1e4) / 1e4;
+    }
+
+    /** Returns the scene without the obstacles and ditches of these ids; other elements stay. */
+    public static Scene removed(Scene scene, Collection<String> ids) {
+        List<Obstacle> obstacles = new ArrayList<>(scene.obstacles());
+        obstacles.removeIf(o -> ids.contains(o.id()));
+        List<Ditch> ditches = new ArrayList<>(scene.ditches());
+        ditches.removeIf(d -> ids.contains(d.id()));
+        return new Scene(scene.title(), scene.world(), obstacles, ditches, scene.actors(), scene.tasks());
+    }
+
+    /** Returns the scene with the journey beginning elsewhere. */
+    public static Scene startingAt(Scene scene, Journey journey, Place place) {
+        return scene.with(journey.between(place, journey.goal()));
+    }
+
+    /** Returns the scene with the journey ending elsewhere. */
+    public static Scene endingAt(Scene scene, Journey journey, Place place) {
+        return scene.with(journey.between(journey.start(), place));
+    }
+
+    /** Returns the scene with other preferences for the journey. */
+    public static Scene preferring(Scene scene, Journey journey, Preferences preferences) {
+        return scene.with(new Journey(
+                journey.id(),
+                journey.label(),
+                journey.actor(),
+                journey.start(),
+                journey.goal(),
+                preferences,
+                journey.ordering(),
+                journey.spread(),
+                journey.slice(),
+                journey.expansions(),
+                journey.seed()));
+    }
+
+    /** Returns the scene with some abilities switched off for a task; the scene itself for another kind of task. */
+    public static Scene without(Scene scene, String task, Set<Ability> abilities) {
+        if (!(scene.task(task).orElse(null) instanceof Journey journey)) {
+            return scene;
+        }
+        Preferences preferences = journey.preferences();
+        for (Ability ability : abilities) {
+            preferences = preferences.with(ability, Preferences.OFF);
+        }
+        return preferring(scene, journey, preferences);
+    }
+}

@@ -1,0 +1,151 @@
+package troupe.app.look;
+
+import java.awt.Color;
+import java.awt.Dimension;
+import java.awt.FontMetrics;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.Insets;
+import javax.swing.Action;
+import javax.swing.Icon;
+import javax.swing.JToggleButton;
+import troupe.paint.Tone;
+
+/** A button without bevels: an icon, a pill with a text, a chip, or the accented one; on or off where it is a choice. */
+public final class FlatButton extends JToggleButton {
+
+    /** How a button looks. */
+    public enum Style {
+        /** Nothing but its icon; tinted when on. */
+        ICON(8, 0),
+        /** A rounded frame with a text. */
+        PILL(7, 10),
+        /** A frame with round ends; accented when on. */
+        CHIP(14, 11),
+        /** Filled with the accent when on. */
+        ACCENT(7, 12);
+
+        private final int arc;
+        private final int padding;
+
+        Style(int arc, int padding) {
+            this.arc = arc;
+            this.padding = padding;
+        }
+    }
+
+    private final transient Look look;
+    private final Style style;
+    private String hint = "";
+
+    /** Makes a button without text. */
+    public FlatButton(Look look, Style style) {
+        this.look = look;
+        this.style = style;
+        setFont(style == Style.ACCENT ? look.bold() : look.font());
+        setForeground(look.color(Tone.TEXT));
+        setContentAreaFilled(false);
+        setBorderPainted(false);
+        setFocusPainted(false);
+        setOpaque(false);
+        setRolloverEnabled(true);
+        setMargin(new Insets(0, 0, 0, 0));
+    }
+
+    /** Makes a button for an action, with the action's text, icon and state. */
+    public FlatButton(Look look, Style style, Action action) {
+        this(look, style);
+        setAction(action);
+        if (style == Style.ICON) {
+            setHideActionText(true);
+            getAccessibleContext().setAccessibleName((String) action.getValue(Action.NAME));
+        }
+    }
+
+    /** Shows a dim word after the text, such as a shortcut. */
+    public void setHint(String word) {
+        hint = word;
+        revalidate();
+        repaint();
+    }
+
+    @Override
+    public Dimension getPreferredSize() {
+        if (isPreferredSizeSet() || hint == null) {
+            return super.getPreferredSize();
+        }
+        FontMetrics metrics = getFontMetrics(getFont());
+        int icon = getIcon() == null ? 0 : getIcon().getIconWidth();
+        int text = shownText().isEmpty() ? 0 : metrics.stringWidth(shownText());
+        int after = hint.isEmpty() ? 0 : metrics.stringWidth(hint) + 8;
+        int between = icon > 0 && text > 0 ? 6 : 0;
+        int height = style == Style.CHIP ? 24 : 28;
+        return new Dimension(icon + between + text + after + 2 * style.padding, height);
+    }
+
+    private String shownText() {
+        return getHideActionText() || getText() == null ? "" : getText();
+    }
+
+    @Override
+    protected void paintComponent(Graphics graphics) {
+        Graphics2D g = Look.smooth(graphics);
+        paintGround(g);
+        FontMetrics metrics = g.getFontMetrics(getFont());
+        Icon icon = getIcon();
+        String text = shownText();
+        int width = (icon == null ? 0 : icon.getIconWidth()) + (text.isEmpty() ? 0 : metrics.stringWidth(text));
+        int between = icon != null && !text.isEmpty() ? 6 : 0;
+        int x = style == Style.ICON || hint.isEmpty() ? (getWidth() - width - between) / 2 : style.padding;
+        if (icon != null) {
+            setForeground(ink());
+            icon.paintIcon(this, g, x, (getHeight() - icon.getIconHeight()) / 2);
+            x += icon.getIconWidth() + between;
+        }
+        g.setFont(getFont());
+        int base = (getHeight() - metrics.getHeight()) / 2 + metrics.getAscent();
+        g.setColor(ink());
+        g.drawString(text, x, base);
+        if (!hint.isEmpty()) {
+            g.setColor(look.color(Tone.DIM));
+            g.drawString(hint, getWidth() - style.padding - metrics.stringWidth(hint), base);
+        }
+        g.dispose();
+    }
+
+    private void paintGround(Graphics2D g) {
+        Color fill = fill();
+        if (fill != null) {
+            g.setColor(fill);
+            g.fillRoundRect(0, 0, getWidth(), getHeight(), 2 * style.arc, 2 * style.arc);
+        }
+        boolean framed = style == Style.PILL || style == Style.CHIP || style == Style.ACCENT && !isSelected();
+        if (framed || isFocusOwner()) {
+            boolean accented = isFocusOwner() || style == Style.CHIP && isSelected();
+            g.setColor(look.color(accented ? Tone.ACCENT : Tone.LINE));
+            g.drawRoundRect(0, 0, getWidth() - 1, getHeight() - 1, 2 * style.arc, 2 * style.arc);
+        }
+    }
+
+    private Color fill() {
+        boolean over = getModel().isRollover() && isEnabled();
+        if (style == Style.ACCENT && isSelected()) {
+            return look.color(Tone.ACCENT);
+        }
+        if (style == Style.ICON) {
+            return isSelected() ? look.selected() : over ? look.hovered() : null;
+        }
+        return over ? look.hovered() : look.color(Tone.PANEL);
+    }
+
+    private Color ink() {
+        if (!isEnabled()) {
+            return look.mix(Tone.DIM, Tone.PANEL, 0.5);
+        }
+        if (style == Style.ACCENT) {
+            return look.color(isSelected() ? Tone.INK : Tone.TEXT);
+        }
+        boolean accented = isSelected() && style != Style.PILL;
+        return look.color(accented ? Tone.ACCENT : Tone.TEXT);
+    }
+}
