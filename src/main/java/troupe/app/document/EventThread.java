@@ -13,8 +13,8 @@ public final class EventThread {
      */
     public static void require() {
         if (!EventQueue.isDispatchThread()) {
-            throw new IllegalStateException("called from " + Thread.currentThread().getName()
-                    + "; the document belongs to the event thread");
+            throw new IllegalStateException(
+                    "called from " + Thread.currentThread().getName() + "; the document belongs to the event thread");
         }
     }
 }

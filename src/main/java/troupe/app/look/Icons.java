@@ -61,13 +61,14 @@ public enum Icons {
         switch (words[i]) {
             case "M" -> path.moveTo(number(words, i + 1), number(words, i + 2));
             case "L" -> path.lineTo(number(words, i + 1), number(words, i + 2));
-            case "H" -> path.lineTo(
-                    number(words, i + 1), path.getCurrentPoint().getY());
+            case "H" -> path.lineTo(number(words, i + 1), path.getCurrentPoint().getY());
             case "V" -> path.lineTo(path.getCurrentPoint().getX(), number(words, i + 1));
             case "O" -> path.append(circle(number(words, i + 1), number(words, i + 2), number(words, i + 3)), false);
-            case "A" -> path.append(
-                    new java.awt.geom.Arc2D.Double(10 - 5.8, 10 - 5.8, 11.6, 11.6, 20, 290, java.awt.geom.Arc2D.OPEN),
-                    false);
+            case "A" ->
+                path.append(
+                        new java.awt.geom.Arc2D.Double(
+                                10 - 5.8, 10 - 5.8, 11.6, 11.6, 20, 290, java.awt.geom.Arc2D.OPEN),
+                        false);
             default -> path.closePath();
         }
         return switch (words[i]) {

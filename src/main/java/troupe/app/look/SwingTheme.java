@@ -94,7 +94,8 @@ public final class SwingTheme extends DefaultMetalTheme {
 
     private static BorderUIResource border(int top, int left, int bottom, int right) {
         Insets insets = new Insets(top, left, bottom, right);
-        return new BorderUIResource(BorderFactory.createEmptyBorder(insets.top, insets.left, insets.bottom, insets.right));
+        return new BorderUIResource(
+                BorderFactory.createEmptyBorder(insets.top, insets.left, insets.bottom, insets.right));
     }
 
     private BorderUIResource frame(int padding) {

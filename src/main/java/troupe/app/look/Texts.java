@@ -22,9 +22,7 @@ public final class Texts {
 
     /** Returns the language of {@link #LANGUAGES} to use for a person with this locale. */
     public static Locale closest(Locale locale) {
-        return locale.getLanguage().equals(Locale.CHINESE.getLanguage())
-                ? Locale.TRADITIONAL_CHINESE
-                : Locale.ENGLISH;
+        return locale.getLanguage().equals(Locale.CHINESE.getLanguage()) ? Locale.TRADITIONAL_CHINESE : Locale.ENGLISH;
     }
 
     /** Returns the language of these texts. */
