@@ -1,0 +1,226 @@
+package troupe.grid;
+
+import java.util.Arrays;
+import troupe.geometry.Box;
+import troupe.geometry.Polygon;
+import troupe.geometry.Segments;
+import troupe.scene.World;
+
+/**
+ * Collects sets of cells as runs: cell indices {@code [from, to)} within one row. Runs may overlap; they
+ * come polygon by polygon and within each in no particular order. Distances are compared in double precision
+ * at the cell centres; rows and columns outside the frame are left out. The buffer grows as needed and
+ * is meant to be used again after {@link #clear}.
+ */
+final class CellRuns {
+    /** Slack in cells within which a coordinate lies on a cell border. */
+    private static final double ON_BORDER = 1e-9;
+
+    private final GridFrame frame;
+    private int[] runs = new int[256];
+    private int length;
+    private double[] crossings = new double[16];
+
+    CellRuns(GridFrame frame) {
+        this.frame = frame;
+    }
+
+    void clear() {
+        length = 0;
+    }
+
+    int size() {
+        return length / 2;
+    }
+
+    int from(int run) {
+        return runs[2 * run];
+    }
+
+    int to(int run) {
+        return runs[2 * run + 1];
+    }
+
+    private void add(int row, int fromCol, int toCol) {
+        int from = Math.max(0, fromCol);
+        int to = Math.min(frame.cols(), toCol);
+        if (from >= to) {
+            return;
+        }
+        if (length == runs.length) {
+            runs = Arrays.copyOf(runs, 2 * length);
+        }
+        runs[length++] = row * frame.cols() + from;
+        runs[length++] = row * frame.cols() + to;
+    }
+
+    /** Adds the cells whose centre lies in the world's rectangle. */
+    void inside(World world) {
+        int rows = firstRow(world.depth());
+        for (int row = Math.max(0, firstRow(0)); row < rows; row++) {
+            add(row, firstCol(0), firstCol(world.width()));
+        }
+    }
+
+    /** Adds the cells whose centre lies in the world's rectangle but nearer than {@code radius} to its edge. */
+    void nearEdge(World world, double radius) {
+        int bottom = Math.max(0, firstRow(0));
+        int left = firstCol(0);
+        int right = firstCol(world.width());
+        int top = Math.min(frame.rows(), firstRow(world.depth()));
+        int innerLeft = Math.max(left, firstCol(radius));
+        int innerRight = Math.max(innerLeft, Math.min(right, firstCol(world.width() - radius)));
+        for (int row = bottom; row < top; row++) {
+            double y = frame.centreY(row);
+            if (y < radius || world.depth() - y < radius) {
+                add(row, left, right);
+            } else {
+                add(row, left, innerLeft);
+                add(row, innerRight, right);
+            }
+        }
+    }
+
+    /** Adds the cells whose centre is inside the polygon: even-odd, half-open edges, as {@link Polygon#contains}. */
+    void fill(Polygon polygon) {
+        Box box = polygon.bounds();
+        if (crossings.length < polygon.size()) {
+            crossings = new double[2 * polygon.size()];
+        }
+        int last = Math.min(frame.rows(), firstRow(box.maxY()) + 1);
+        for (int row = Math.max(0, firstRow(box.minY())); row < last; row++) {
+            int count = crossings(polygon, frame.centreY(row));
+            Arrays.sort(crossings, 0, count);
+            for (int i = 0; i + 1 < count; i += 2) {
+                add(row, firstCol(crossings[i]), firstCol(crossings[i + 1]));
+            }
+        }
+    }
+
+    private int crossings(Polygon polygon, double y) {
+        int count = 0;
+        for (int i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+            if ((polygon.y(i) <= y) != (polygon.y(j) <= y)) {
+                int low = polygon.y(i) <= polygon.y(j) ? i : j;
+                int high = low == i ? j : i;
+                crossings[count++] = polygon.x(low)
+                        + (y - polygon.y(low))
+                                * (polygon.x(high) - polygon.x(low))
+                                / (polygon.y(high) - polygon.y(low));
+            }
+        }
+        return count;
+    }
+
+    /** Returns the first column whose centre is not left of {@code x}; it may lie outside the frame. */
+    private int firstCol(double x) {
+        int col = (int) Math.ceil((x - frame.originX()) / frame.cell() - 0.5);
+        while (frame.centreX(col - 1) >= x) {
+            col--;
+        }
+        while (frame.centreX(col) < x) {
+            col++;
+        }
+        return col;
+    }
+
+    /** Returns the first row whose centre is not below {@code y}; it may lie outside the frame. */
+    private int firstRow(double y) {
+        int row = (int) Math.ceil((y - frame.originY()) / frame.cell() - 0.5);
+        while (frame.centreY(row - 1) >= y) {
+            row--;
+        }
+        while (frame.centreY(row) < y) {
+            row++;
+        }
+        return row;
+    }
+
+    /** Adds the cells whose centre is nearer than {@code radius} metres to the outline, inside or out. */
+    void near(Polygon polygon, double radius) {
+        for (int i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+            near(polygon.x(j), polygon.y(j), polygon.x(i), polygon.y(i), radius);
+        }
+    }
+
+    /** Adds the cells whose centre is nearer than {@code radius} metres to the segment {@code a-b}. */
+    void near(double ax, double ay, double bx, double by, double radius) {
+        double dx = bx - ax;
+        double dy = by - ay;
+        double length = Math.sqrt(dx * dx + dy * dy);
+        double nx = length == 0 ? 0 : -dy / length * radius;
+        double ny = length == 0 ? 0 : dx / length * radius;
+        int last = Math.min(frame.rows(), firstRow(Math.max(ay, by) + radius) + 1);
+        for (int row = Math.max(0, firstRow(Math.min(ay, by) - radius)); row < last; row++) {
+            double y = frame.centreY(row);
+            double low = Math.min(leftOfDisc(ax, y - ay, radius), leftOfDisc(bx, y - by, radius));
+            double high = -Math.min(leftOfDisc(-ax, y - ay, radius), leftOfDisc(-bx, y - by, radius));
+            if (dy != 0) {
+                double t = (y - ay - ny) / dy;
+                double u = (y - ay + ny) / dy;
+                if (t >= 0 && t <= 1) {
+                    low = Math.min(low, ax + nx + t * dx);
+                    high = Math.max(high, ax + nx + t * dx);
+                }
+                if (u >= 0 && u <= 1) {
+                    low = Math.min(low, ax - nx + u * dx);
+                    high = Math.max(high, ax - nx + u * dx);
+                }
+            }
+            if (low <= high) {
+                addExact(row, firstCol(low), firstCol(high) - 1, ax, ay, bx, by, radius * radius);
+            }
+        }
+    }
+
+    private static double leftOfDisc(double x, double dy, double radius) {
+        double square = radius * radius - dy * dy;
+        return square < 0 ? Double.POSITIVE_INFINITY : x - Math.sqrt(square);
+    }
+
+    /** Adds the run {@code [from, to]} after moving its ends to where the distance itself says. */
+    private void addExact(
+            int row, int from, int to, double ax, double ay, double bx, double by, double squaredRadius) {
+        double y = frame.centreY(row);
+        int first = from - 1;
+        int last = to + 1;
+        while (first <= last && !(squared(first, y, ax, ay, bx, by) < squaredRadius)) {
+            first++;
+        }
+        while (first <= last && !(squared(last, y, ax, ay, bx, by) < squaredRadius)) {
+            last--;
+        }
+        add(row, first, last + 1);
+    }
+
+    private double squared(int col, double y, double ax, double ay, double bx, double by) {
+        return Segments.distanceSquared(frame.centreX(col), y, ax, ay, bx, by);
+    }
+
+    /** Adds the cells whose open inside the outline crosses; an edge along cell borders touches none. */
+    void touch(Polygon polygon) {
+        for (int i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+            touch(polygon.x(j), polygon.y(j), polygon.x(i), polygon.y(i));
+        }
+    }
+
+    /** Adds the cells whose open inside the segment {@code a-b} crosses, to a slack of 1e-9 cells. */
+    void touch(double ax, double ay, double bx, double by) {
+        boolean up = ay <= by;
+        double u0 = ((up ? ax : bx) - frame.originX()) / frame.cell();
+        double v0 = ((up ? ay : by) - frame.originY()) / frame.cell();
+        double u1 = ((up ? bx : ax) - frame.originX()) / frame.cell();
+        double v1 = ((up ? by : ay) - frame.originY()) / frame.cell();
+        int last = Math.min(frame.rows() - 1, (int) Math.ceil(v1 - ON_BORDER) - 1);
+        for (int row = Math.max(0, (int) Math.floor(v0 + ON_BORDER)); row <= last; row++) {
+            double t0 = v0 < row ? (row - v0) / (v1 - v0) : 0;
+            double t1 = v1 > row + 1 ? (row + 1 - v0) / (v1 - v0) : 1;
+            double ua = u0 + t0 * (u1 - u0);
+            double ub = u0 + t1 * (u1 - u0);
+            add(
+                    row,
+                    (int) Math.floor(Math.min(ua, ub) + ON_BORDER),
+                    (int) Math.ceil(Math.max(ua, ub) - ON_BORDER));
+        }
+    }
+}
