@@ -179,8 +179,7 @@ final class CellRuns {
     }
 
     /** Adds the run {@code [from, to]} after moving its ends to where the distance itself says. */
-    private void addExact(
-            int row, int from, int to, double ax, double ay, double bx, double by, double squaredRadius) {
+    private void addExact(int row, int from, int to, double ax, double ay, double bx, double by, double squaredRadius) {
         double y = frame.centreY(row);
         int first = from - 1;
         int last = to + 1;
@@ -217,10 +216,7 @@ final class CellRuns {
             double t1 = v1 > row + 1 ? (row + 1 - v0) / (v1 - v0) : 1;
             double ua = u0 + t0 * (u1 - u0);
             double ub = u0 + t1 * (u1 - u0);
-            add(
-                    row,
-                    (int) Math.floor(Math.min(ua, ub) + ON_BORDER),
-                    (int) Math.ceil(Math.max(ua, ub) - ON_BORDER));
+            add(row, (int) Math.floor(Math.min(ua, ub) + ON_BORDER), (int) Math.ceil(Math.max(ua, ub) - ON_BORDER));
         }
     }
 }

@@ -162,7 +162,8 @@ public final class Region {
                     && (best < 0
                             || place.z().isPresent()
                                     && Math.abs(elevation(q) - place.z().getAsDouble())
-                                            < Math.abs(elevation(best) - place.z().getAsDouble()))) {
+                                            < Math.abs(
+                                                    elevation(best) - place.z().getAsDouble()))) {
                 best = q;
             }
         }

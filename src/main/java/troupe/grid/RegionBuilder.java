@@ -36,7 +36,9 @@ public final class RegionBuilder {
     }
 
     private double smallestBody() {
-        return actor.vault().map(v -> Math.min(v.bodyHeight(), actor.bodyHeight())).orElse(actor.bodyHeight());
+        return actor.vault()
+                .map(v -> Math.min(v.bodyHeight(), actor.bodyHeight()))
+                .orElse(actor.bodyHeight());
     }
 
     /** Classifies every configuration. Cost O(cells + edges). */
@@ -52,7 +54,8 @@ public final class RegionBuilder {
 
     /** Tells whether an obstacle reaches into the stretch of a body of {@code bodyHeight} on a floor. */
     static boolean blocks(Obstacle obstacle, double floor, double stepHeight, double bodyHeight) {
-        return obstacle.offset() < floor + bodyHeight - Column.SAME && obstacle.top() > floor + stepHeight + Column.SAME;
+        return obstacle.offset() < floor + bodyHeight - Column.SAME
+                && obstacle.top() > floor + stepHeight + Column.SAME;
     }
 
     static int standingBits(Actor actor) {

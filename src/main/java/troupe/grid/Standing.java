@@ -50,8 +50,8 @@ final class Standing {
         for (Obstacle obstacle : scene.obstacles()) {
             boolean any = false;
             for (int level = 0; level < blocked.length; level++) {
-                blocked[level] = RegionBuilder.blocks(
-                        obstacle, spans.elevation(level), actor.stepHeight(), actor.bodyHeight());
+                blocked[level] =
+                        RegionBuilder.blocks(obstacle, spans.elevation(level), actor.stepHeight(), actor.bodyHeight());
                 any |= blocked[level];
             }
             if (any) {
@@ -87,8 +87,8 @@ final class Standing {
         runs.clear();
         runs.nearEdge(scene.world(), radius);
         if (touching(radius)) {
-            runs.touch(Polygon.rectangle(
-                    0, 0, scene.world().width(), scene.world().depth()));
+            runs.touch(
+                    Polygon.rectangle(0, 0, scene.world().width(), scene.world().depth()));
         }
         boolean[] all = new boolean[spans.levels()];
         Arrays.fill(all, true);
