@@ -62,9 +62,8 @@ final class CrossingArc {
 
     /** Returns the points {@code x, y, z} of a stride from floor {@code from} to floor {@code to}. */
     List<double[]> stride(Line line, double from, double to) {
-        double room = body.ceiling(line, Math.max(from, to) + actor.stepHeight())
-                - Math.max(from, to)
-                - actor.bodyHeight();
+        double room =
+                body.ceiling(line, Math.max(from, to) + actor.stepHeight()) - Math.max(from, to) - actor.bodyHeight();
         double rise = Math.max(0, Math.min(room, RISE * line.length()));
         List<double[]> points = new ArrayList<>();
         for (int i = 0; i <= PIECES; i++) {
@@ -115,8 +114,7 @@ final class CrossingArc {
     }
 
     private static double[] at(Line line, double share, double z) {
-        return new double[] {
-            line.ax() + share * (line.bx() - line.ax()), line.ay() + share * (line.by() - line.ay()), z
+        return new double[] {line.ax() + share * (line.bx() - line.ax()), line.ay() + share * (line.by() - line.ay()), z
         };
     }
 }

@@ -143,14 +143,15 @@ final class Motion {
             double most = used * TURN_RATE;
             heading = wrapped(heading + Math.max(-most, Math.min(most, missing)));
         }
-        phase = route.get(current).isCrossing() && !track.isStill() ? along / track.length() : (phase + used * speed / CYCLE) % 1;
+        phase = route.get(current).isCrossing() && !track.isStill()
+                ? along / track.length()
+                : (phase + used * speed / CYCLE) % 1;
         return used;
     }
 
     private void finishStretch() {
         Stretch done = route.get(current);
-        legs.add(new Run.Leg(
-                actor.id(), done.ability().key(), done.what(), begun, time, done.energy(), done.points()));
+        legs.add(new Run.Leg(actor.id(), done.ability().key(), done.what(), begun, time, done.energy(), done.points()));
         if (current + 1 < route.size()) {
             enter(current + 1);
         } else {
@@ -165,7 +166,9 @@ final class Motion {
             return wrapped(track.direction(along) + sideways);
         }
         double ahead = along + (stretch.isCrossing() ? 0 : LOOK_AHEAD);
-        if (ahead > track.length() && current + 1 < route.size() && route.get(current + 1).isCrossing()) {
+        if (ahead > track.length()
+                && current + 1 < route.size()
+                && route.get(current + 1).isCrossing()) {
             return new Track(route.get(current + 1)).direction(0);
         }
         return track.bearing(along, Math.min(ahead, track.length()));

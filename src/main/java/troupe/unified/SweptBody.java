@@ -148,8 +148,7 @@ final class SweptBody {
         double distance(Polygon polygon) {
             double least = Double.POSITIVE_INFINITY;
             for (int i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
-                least = Math.min(
-                        least, distanceSquared(polygon.x(j), polygon.y(j), polygon.x(i), polygon.y(i)));
+                least = Math.min(least, distanceSquared(polygon.x(j), polygon.y(j), polygon.x(i), polygon.y(i)));
             }
             return Math.sqrt(least);
         }

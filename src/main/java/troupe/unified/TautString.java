@@ -141,8 +141,7 @@ final class TautString {
         for (int k = 1; k <= DETOURS; k++) {
             double share = k / (2.0 * DETOURS);
             for (int side = -1; side <= 1; side += 2) {
-                Point by = new Point(
-                        (a.x() + b.x()) / 2 - side * share * dy, (a.y() + b.y()) / 2 + side * share * dx);
+                Point by = new Point((a.x() + b.x()) / 2 - side * share * dy, (a.y() + b.y()) / 2 + side * share * dx);
                 if (sees(a, by) && sees(by, b)) {
                     corners.add(by);
                     return;

@@ -35,9 +35,7 @@ final class Track {
         }
         double[] a = points.get(i - 1);
         double share = (along - metres[i - 1]) / (metres[i] - metres[i - 1]);
-        return new double[] {
-            a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1]), a[2] + share * (b[2] - a[2])
-        };
+        return new double[] {a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1]), a[2] + share * (b[2] - a[2])};
     }
 
     /** Returns the direction in radians in which the line goes on at {@code along} metres, the last one at its end. */

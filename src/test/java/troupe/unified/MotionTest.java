@@ -32,8 +32,7 @@ class MotionTest {
 
     @Test
     void walksStraightAtItsSpeed() {
-        Motion.Recorded recorded =
-                new Motion(actor, List.of(stretch(Ability.WALK, 1, 1, 0, 1, 3.6, 0))).record();
+        Motion.Recorded recorded = new Motion(actor, List.of(stretch(Ability.WALK, 1, 1, 0, 1, 3.6, 0))).record();
         Frames frames = recorded.frames();
         assertEquals(51, frames.count(), 1);
         assertEquals(1 + 1.3, frames.value(25, Y, 0), 1e-9);
@@ -92,8 +91,7 @@ class MotionTest {
 
     @Test
     void standsStillWhereStartAndGoalAreOne() {
-        Motion.Recorded recorded =
-                new Motion(actor, List.of(stretch(Ability.WALK, 1, 2, 0.5))).record();
+        Motion.Recorded recorded = new Motion(actor, List.of(stretch(Ability.WALK, 1, 2, 0.5))).record();
         assertEquals(1, recorded.frames().value(0, X, 0));
         assertEquals(0.5, recorded.frames().value(0, Z, 0));
         assertEquals(0, recorded.legs().get(0).end());

@@ -101,7 +101,10 @@ class SweptBodyOracleTest {
             if (rests) {
                 assertEquals(0, others(body, line, floor, 0.0999, 9), "seed 83, trial " + trial);
             } else {
-                assertTrue(others(body, line, floor, 0.1 + UNSURE, 9) > 0 || others(body, line, floor, 0.1 + UNSURE, 100) > 0, "seed 83, trial " + trial);
+                assertTrue(
+                        others(body, line, floor, 0.1 + UNSURE, 9) > 0
+                                || others(body, line, floor, 0.1 + UNSURE, 100) > 0,
+                        "seed 83, trial " + trial);
             }
         }
         assertTrue(rested > 200 && rested < 1800, rested + " of 2000");
@@ -115,7 +118,8 @@ class SweptBodyOracleTest {
             double y = line.ay() + i / 40.0 * (line.by() - line.ay());
             for (int k = -rings; k <= rings; k++) {
                 for (int m = -rings; m <= rings; m++) {
-                    if (k * k + m * m <= rings * rings && body.floorAt(x + k * radius / rings, y + m * radius / rings, floor) != floor) {
+                    if (k * k + m * m <= rings * rings
+                            && body.floorAt(x + k * radius / rings, y + m * radius / rings, floor) != floor) {
                         others++;
                     }
                 }
@@ -126,8 +130,8 @@ class SweptBodyOracleTest {
 
     @Test
     void seamBetweenPlatesOfOneHeightIsNoEdge() {
-        List<Obstacle> plates = List.of(
-                block(Polygon.rectangle(0, 0, 2, 4), 0, 0.2), block(Polygon.rectangle(2, 0, 4, 4), 0, 0.2));
+        List<Obstacle> plates =
+                List.of(block(Polygon.rectangle(0, 0, 2, 4), 0, 0.2), block(Polygon.rectangle(2, 0, 4, 4), 0, 0.2));
         SweptBody body = new SweptBody(scene(plates, List.of()), actor);
         assertTrue(body.rests(new Line(1, 1, 3, 2), 0.2));
     }
