@@ -147,28 +147,49 @@ public final class ScenePainter {
     }
 
     private void paintObstacle(Graphics2D g, ObstacleLook look, Shape shape) {
-        Obstacle obstacle = look.obstacle();
         Color fill = look.fill(theme);
-        boolean above = obstacle.offset() > elevation + 1e-9;
+        boolean above = above(look);
         double opacity = above ? ABOVE_OPACITY : look.hanging() ? HANGING_OPACITY : 1;
-        Color seen = new Color(fill.getRed(), fill.getGreen(), fill.getBlue(), (int) Math.round(255 * opacity));
-        g.setColor(seen);
+        g.setColor(new Color(fill.getRed(), fill.getGreen(), fill.getBlue(), (int) Math.round(255 * opacity)));
         g.fill(shape);
-        Color edge = edge(obstacle, fill);
-        if (obstacle.movable()) {
-            g.setColor(above ? theme.color(Tone.GRAIN, opacity) : edge);
+        if (look.obstacle().movable()) {
+            g.setColor(above ? theme.color(Tone.GRAIN, opacity) : edge(look.obstacle(), fill));
             g.setStroke(Theme.line(1.2f));
             g.draw(Shapes.hatch(shape, GRAIN_SPACING));
-            g.draw(shape);
-        } else if (look.hanging() || above) {
-            g.setColor(look.hanging() ? theme.color(Tone.DECK_EDGE) : edge);
-            g.setStroke(Theme.line(1, 5, 3));
-            g.draw(shape);
-        } else {
-            g.setColor(look.low() || look.stair() ? edge : fill);
-            g.setStroke(Theme.line(0.8f));
-            g.draw(shape);
         }
+        paintOutline(g, look, shape);
+    }
+
+    private boolean above(ObstacleLook look) {
+        return look.obstacle().offset() > elevation + 1e-9;
+    }
+
+    private void paintOutline(Graphics2D g, ObstacleLook look, Shape shape) {
+        Color fill = look.fill(theme);
+        boolean movable = look.obstacle().movable();
+        boolean dashed = look.hanging() || above(look);
+        boolean plain = !movable && !dashed && !look.low() && !look.stair();
+        Color edge = look.hanging() && !movable ? theme.color(Tone.DECK_EDGE) : edge(look.obstacle(), fill);
+        g.setColor(plain ? fill : edge);
+        g.setStroke(dashed ? Theme.line(1, 5, 3) : Theme.line(movable ? 1.2f : 0.8f));
+        g.draw(shape);
+    }
+
+    /** Paints the outlines of ditches and obstacles alone, to show them through a field. */
+    public void paintOutlines(Graphics2D graphics, Viewport view) {
+        Graphics2D g = Shapes.smooth(graphics);
+        AffineTransform toPixels = view.transform();
+        g.setColor(theme.color(Tone.DITCH_EDGE));
+        g.setStroke(Theme.line(1));
+        for (Ditch ditch : ditches) {
+            g.draw(toPixels.createTransformedShape(Shapes.path(ditch.outline())));
+        }
+        for (ObstacleLook look : looks) {
+            if (!above(look)) {
+                paintOutline(g, look, toPixels.createTransformedShape(look.path()));
+            }
+        }
+        g.dispose();
     }
 
     private Color edge(Obstacle obstacle, Color fill) {

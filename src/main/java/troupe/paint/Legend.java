@@ -1,0 +1,245 @@
+package troupe.paint;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Dimension;
+import java.awt.Font;
+import java.awt.FontMetrics;
+import java.awt.Graphics2D;
+import java.awt.geom.Line2D;
+import java.awt.geom.Rectangle2D;
+import java.awt.geom.RoundRectangle2D;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.UnaryOperator;
+import troupe.run.Overlay;
+import troupe.run.Run;
+import troupe.scene.Ability;
+
+/**
+ * Explains the lines, colours and patterns of a picture: a card of samples with words, in rows. Immutable.
+ */
+public final class Legend {
+    /** The words as they are, with a longer one for moving. */
+    public static final UnaryOperator<String> ENGLISH =
+            word -> word.equals("move") ? "move an obstacle" : word.replace('-', ' ');
+
+    private static final int ROW = 22;
+    private static final int PAD_X = 12;
+    private static final int PAD_Y = 4;
+    private static final int GAP = 16;
+    private static final int SAMPLE = 30;
+    private static final int BAR = 110;
+    private static final int SAMPLE_GAP = 8;
+
+    private final Theme theme;
+    private final List<Entry> entries;
+
+    /** One sample with its words. */
+    private record Entry(Sample sample, int width, String text) {}
+
+    /** Draws a sample of a given width, its middle at {@code (0, 0)} on its left edge. */
+    private interface Sample {
+        void draw(Graphics2D g);
+    }
+
+    private Legend(Theme theme, List<Entry> entries) {
+        this.theme = theme;
+        this.entries = List.copyOf(entries);
+    }
+
+    /**
+     * Makes the legend of a run (null for none) and of overlays.
+     *
+     * @param filled whether fields of numbers are filled, as in {@link OverlayPainter}
+     * @param words turns a key ({@code walk}, {@code clearance}, …) into what is to be read
+     */
+    public static Legend of(
+            Run run, List<? extends Overlay> overlays, boolean filled, Theme theme, UnaryOperator<String> words) {
+        List<Entry> entries = new ArrayList<>();
+        if (run != null) {
+            for (Ability ability : Ability.values()) {
+                if (run.legs().stream().anyMatch(leg -> leg.ability().equals(ability.key()))) {
+                    BasicStroke stroke = Theme.stroke(ability, Theme.PATH_WIDTH);
+                    entries.add(line(theme.color(ability), stroke, words.apply(ability.key())));
+                }
+            }
+        }
+        for (Overlay overlay : overlays) {
+            addOverlay(entries, overlay, filled, theme, words);
+        }
+        return new Legend(theme, entries);
+    }
+
+    private static Entry line(Color colour, BasicStroke stroke, String text) {
+        Sample sample = g -> {
+            g.setColor(colour);
+            g.setStroke(stroke);
+            g.draw(new Line2D.Double(2, 0, SAMPLE - 2, 0));
+        };
+        return new Entry(sample, SAMPLE, text);
+    }
+
+    private static void addOverlay(
+            List<Entry> entries, Overlay overlay, boolean filled, Theme theme, UnaryOperator<String> words) {
+        String name = words.apply(overlay.key());
+        if (overlay instanceof Overlay.Lines) {
+            entries.add(line(theme.color(OverlayPainter.lineTone(overlay.key())), Theme.line(1.6f), name));
+        } else if (overlay instanceof Overlay.Points) {
+            entries.add(new Entry(
+                    g -> OverlayPainter.paintPoint(g, theme, 6, 0), 12, name));
+        } else if (overlay instanceof Overlay.Field f && f.scale() instanceof Overlay.Continuous c) {
+            String each = c.contour() > 0 ? ", every " + number(c.contour()) + " " + c.unit() : "";
+            if (filled || c.contour() <= 0) {
+                entries.add(bar(theme, c, name));
+            } else {
+                entries.add(line(theme.color(Tone.CONTOUR), Theme.line(1.4f), name + each));
+            }
+        } else if (overlay instanceof Overlay.Field f && f.scale() instanceof Overlay.Categories c) {
+            boolean[] used = used(f, c.words().size());
+            CategoryLook[] looks = CategoryLook.of(c.words(), theme);
+            for (int i = 0; i < looks.length; i++) {
+                if (used[i] && looks[i].pattern() != CategoryLook.Pattern.NONE) {
+                    entries.add(swatch(theme, looks[i], words.apply(c.words().get(i))));
+                }
+            }
+        }
+    }
+
+    private static boolean[] used(Overlay.Field field, int words) {
+        boolean[] used = new boolean[words];
+        for (float value : field.values()) {
+            if (value >= 0 && value < words) {
+                used[(int) value] = true;
+            }
+        }
+        return used;
+    }
+
+    private static Entry bar(Theme theme, Overlay.Continuous scale, String name) {
+        ColourMap map = new ColourMap(theme);
+        String unit = scale.unit().isEmpty() ? "" : " " + scale.unit();
+        String text = name + ", " + number(scale.min()) + " to " + number(scale.max()) + unit;
+        Sample sample = g -> {
+            for (int x = 0; x < BAR; x++) {
+                g.setColor(new Color(map.argb(x / (BAR - 1.0))));
+                g.fill(new Rectangle2D.Double(x, -5, 1, 10));
+            }
+            g.setColor(theme.color(Tone.LINE));
+            g.setStroke(Theme.line(1));
+            g.draw(new Rectangle2D.Double(-0.5, -5.5, BAR + 1, 11));
+        };
+        return new Entry(sample, BAR, text);
+    }
+
+    private static Entry swatch(Theme theme, CategoryLook look, String name) {
+        Sample sample = g -> {
+            for (int y = 0; y < 12; y++) {
+                for (int x = 0; x < 24; x++) {
+                    g.setColor(new Color(look.argb(x, y), true));
+                    g.fill(new Rectangle2D.Double(x, y - 6, 1, 1));
+                }
+            }
+            g.setColor(theme.color(Tone.DIM, 0.6));
+            g.setStroke(Theme.line(1));
+            g.draw(new Rectangle2D.Double(-0.5, -6.5, 25, 13));
+        };
+        return new Entry(sample, 24, name);
+    }
+
+    private static String number(double value) {
+        double size = Math.abs(value);
+        String text = String.format(Locale.ROOT, size >= 100 ? "%.0f" : size >= 10 ? "%.1f" : "%.2f", value);
+        return text.contains(".") ? text.replaceAll("\\.?0+$", "") : text;
+    }
+
+    /** Tells whether there is nothing to explain. */
+    public boolean isEmpty() {
+        return entries.isEmpty();
+    }
+
+    /** Returns the texts, in order, for those who cannot see the samples. */
+    public List<String> texts() {
+        return entries.stream().map(Entry::text).toList();
+    }
+
+    /** Returns the size in pixels of the card when it may be {@code most} pixels wide; empty: 0 by 0. */
+    public Dimension size(Graphics2D g, int most) {
+        if (entries.isEmpty()) {
+            return new Dimension(0, 0);
+        }
+        int[][] places = places(g, most);
+        FontMetrics metrics = g.getFontMetrics(font());
+        int right = 0;
+        for (int i = 0; i < places.length; i++) {
+            right = Math.max(right, places[i][0] + width(metrics, g, entries.get(i)));
+        }
+        int rows = places[places.length - 1][1] + 1;
+        return new Dimension(right + PAD_X, rows * ROW + 2 * PAD_Y);
+    }
+
+    private static Font font() {
+        return Theme.font(12);
+    }
+
+    private static int width(FontMetrics metrics, Graphics2D g, Entry entry) {
+        return entry.width() + SAMPLE_GAP + (int) Math.ceil(metrics.getStringBounds(entry.text(), g).getWidth());
+    }
+
+    /** Returns x in pixels and row of each entry. */
+    private int[][] places(Graphics2D g, int most) {
+        FontMetrics metrics = g.getFontMetrics(font());
+        int[][] places = new int[entries.size()][];
+        int x = PAD_X;
+        int row = 0;
+        for (int i = 0; i < places.length; i++) {
+            int width = width(metrics, g, entries.get(i));
+            if (x > PAD_X && x + width + PAD_X > most) {
+                x = PAD_X;
+                row++;
+            }
+            places[i] = new int[] {x, row};
+            x += width + GAP;
+        }
+        return places;
+    }
+
+    /** Paints the card with its upper left corner at {@code (x, y)}, at most {@code most} pixels wide. */
+    public void paint(Graphics2D graphics, int x, int y, int most) {
+        if (entries.isEmpty()) {
+            return;
+        }
+        Graphics2D g = Shapes.smooth(graphics);
+        g.translate(x, y);
+        Dimension size = size(g, most);
+        RoundRectangle2D card = new RoundRectangle2D.Double(0.5, 0.5, size.width - 1, size.height - 1, 16, 16);
+        g.setColor(theme.color(Tone.PANEL));
+        g.fill(card);
+        g.setColor(theme.color(Tone.LINE));
+        g.setStroke(Theme.line(1));
+        g.draw(card);
+        int[][] places = places(g, most);
+        Font font = font();
+        FontMetrics metrics = g.getFontMetrics(font);
+        for (int i = 0; i < places.length; i++) {
+            Entry entry = entries.get(i);
+            int middle = PAD_Y + places[i][1] * ROW + ROW / 2;
+            Graphics2D sample = (Graphics2D) g.create();
+            sample.translate(places[i][0], middle);
+            entry.sample().draw(sample);
+            sample.dispose();
+            g.setFont(font);
+            g.setColor(theme.color(Tone.TEXT));
+            float base = middle + (metrics.getAscent() - metrics.getDescent()) / 2f;
+            g.drawString(entry.text(), places[i][0] + entry.width() + SAMPLE_GAP, base);
+        }
+        g.dispose();
+    }
+
+    @Override
+    public String toString() {
+        return "Legend" + Arrays.toString(texts().toArray());
+    }
+}

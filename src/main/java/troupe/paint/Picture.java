@@ -1,0 +1,192 @@
+package troupe.paint;
+
+import java.awt.Dimension;
+import java.awt.Graphics2D;
+import java.awt.geom.Rectangle2D;
+import java.awt.image.BufferedImage;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.UnaryOperator;
+import troupe.geometry.Box;
+import troupe.run.Overlay;
+import troupe.run.Run;
+import troupe.scene.Journey;
+import troupe.scene.Scene;
+
+/**
+ * Composes a whole picture: a scene, overlays, and a run at a time, with legend and scale bar in the
+ * margin, never over the scene. Immutable; serves any thread; the same on each run of one JDK.
+ *
+ * @param time seconds into the run
+ * @param elevation only a trace is left of what begins higher above the ground, in metres
+ * @param filled whether fields of numbers are filled, or shown by contour lines alone
+ * @param words turns the keys of a legend into what is to be read
+ */
+public record Picture(
+        Scene scene,
+        List<Overlay> overlays,
+        Optional<Run> run,
+        double time,
+        Theme theme,
+        double elevation,
+        boolean filled,
+        UnaryOperator<String> words) {
+    /** The least width in pixels. */
+    public static final int MIN_WIDTH = 64;
+
+    /** The largest width in pixels. */
+    public static final int MAX_WIDTH = 8_192;
+
+    private static final int MARGIN = 14;
+    private static final int GAP = 10;
+
+    /** Copies the overlays. */
+    public Picture {
+        overlays = List.copyOf(overlays);
+    }
+
+    /** Makes the picture of a scene in the light theme. */
+    public static Picture of(Scene scene) {
+        return new Picture(
+                scene,
+                List.of(),
+                Optional.empty(),
+                0,
+                Theme.LIGHT,
+                Double.POSITIVE_INFINITY,
+                true,
+                Legend.ENGLISH);
+    }
+
+    /** Makes the picture of a run at a time in seconds, in the light theme. */
+    public static Picture of(Run run, double time) {
+        return of(run.scene()).with(run, time);
+    }
+
+    /** Returns this picture with overlays in place of those it had. */
+    public Picture with(List<Overlay> others) {
+        return new Picture(scene, others, run, time, theme, elevation, filled, words);
+    }
+
+    /** Returns this picture with a run as it stands at a time in seconds. */
+    public Picture with(Run other, double seconds) {
+        return new Picture(scene, overlays, Optional.of(other), seconds, theme, elevation, filled, words);
+    }
+
+    /** Returns this picture in another theme. */
+    public Picture with(Theme other) {
+        return new Picture(scene, overlays, run, time, other, elevation, filled, words);
+    }
+
+    /** Returns this picture with only a trace of what begins above {@code metres}. */
+    public Picture upTo(double metres) {
+        return new Picture(scene, overlays, run, time, theme, metres, filled, words);
+    }
+
+    /** Returns this picture with fields of numbers shown by contour lines alone. */
+    public Picture outlined() {
+        return new Picture(scene, overlays, run, time, theme, elevation, false, words);
+    }
+
+    /** Returns the width and height in pixels that a picture of the given width takes. */
+    public Dimension size(int width) {
+        if (width < MIN_WIDTH || width > MAX_WIDTH) {
+            throw new IllegalArgumentException(
+                    "picture of " + width + " pixels; needs " + MIN_WIDTH + " to " + MAX_WIDTH);
+        }
+        double inner = width - 2.0 * MARGIN;
+        double tall = inner * scene.world().depth() / scene.world().width();
+        int height = (int) Math.ceil(Math.max(MIN_WIDTH, Math.min(tall, 2 * inner)));
+        return new Dimension(width, 2 * MARGIN + GAP + height + footer(width));
+    }
+
+    private int footer(int width) {
+        BufferedImage scratch = new BufferedImage(1, 1, BufferedImage.TYPE_INT_ARGB);
+        Graphics2D g = Shapes.smooth(scratch.createGraphics());
+        int height = Math.max(ScaleBar.HEIGHT, legend().size(g, legendWidth(width)).height);
+        g.dispose();
+        return height;
+    }
+
+    private static int legendWidth(int width) {
+        return Math.max(MIN_WIDTH, width - 2 * MARGIN - 170);
+    }
+
+    private Legend legend() {
+        return Legend.of(run.orElse(null), overlays, filled, theme, words);
+    }
+
+    /** Returns the picture as an opaque image of the given width in pixels, {@value #MIN_WIDTH} to {@value #MAX_WIDTH}. */
+    public BufferedImage image(int width) {
+        return image(width, 1);
+    }
+
+    /** Returns the picture laid out for {@code width} pixels and drawn {@code density} times as large, from 1 to 4. */
+    public BufferedImage image(int width, double density) {
+        if (!(density >= 1 && density <= 4)) {
+            throw new IllegalArgumentException("density " + density + "; needs 1 to 4");
+        }
+        Dimension size = size(width);
+        BufferedImage image = new BufferedImage(
+                (int) Math.round(size.width * density),
+                (int) Math.round(size.height * density),
+                BufferedImage.TYPE_INT_RGB);
+        Graphics2D g = image.createGraphics();
+        g.scale(density, density);
+        paint(g, width);
+        g.dispose();
+        return image;
+    }
+
+    /** Paints the picture laid out for {@code width} pixels; its height is that of {@link #size}. */
+    public void paint(Graphics2D graphics, int width) {
+        Dimension size = size(width);
+        int footer = footer(width);
+        Graphics2D g = Shapes.smooth(graphics);
+        g.setColor(theme.color(Tone.CANVAS));
+        g.fillRect(0, 0, size.width, size.height);
+        Box world = new Box(0, 0, scene.world().width(), scene.world().depth());
+        Viewport view = Viewport.fit(
+                world, MARGIN, MARGIN, size.width - 2.0 * MARGIN, size.height - 2.0 * MARGIN - GAP - footer);
+        paintScene(g, view);
+        int top = size.height - MARGIN - footer;
+        legend().paint(g, MARGIN, top, legendWidth(width));
+        ScaleBar.paint(g, view, theme, size.width - MARGIN - 2, size.height - MARGIN - 2);
+        g.dispose();
+    }
+
+    private void paintScene(Graphics2D g, Viewport view) {
+        ScenePainter painter = new ScenePainter(scene, theme).upTo(elevation);
+        Labels labels = new Labels();
+        painter.paintGround(g, view);
+        painter.paintObstacles(g, view);
+        for (Overlay overlay : overlays) {
+            Graphics2D inside = (Graphics2D) g.create();
+            inside.clip(new Rectangle2D.Double(
+                    view.px(0),
+                    view.py(scene.world().depth()),
+                    scene.world().width() * view.scale(),
+                    scene.world().depth() * view.scale()));
+            new OverlayPainter(overlay, theme, filled).paint(inside, view);
+            inside.dispose();
+            if (overlay instanceof Overlay.Field) {
+                painter.paintOutlines(g, view);
+            }
+        }
+        Optional<RunPainter> runPainter = run.map(r -> new RunPainter(r, theme));
+        runPainter.ifPresent(p -> {
+            p.paintLegs(g, view);
+            p.paintEnds(g, view);
+            p.takeRoom(labels, view, time);
+        });
+        if (run.isEmpty() && scene.tasks().stream().findFirst().orElse(null) instanceof Journey journey) {
+            TaskPainter.paint(g, scene, journey, view, theme);
+            TaskPainter.take(labels, journey, view);
+        }
+        painter.paintLabels(g, view, labels);
+        runPainter.ifPresent(p -> {
+            p.paintPills(g, view, labels);
+            p.paintActors(g, view, time);
+        });
+    }
+}

@@ -1,0 +1,197 @@
+package troupe.paint;
+
+import java.awt.AlphaComposite;
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.geom.AffineTransform;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Path2D;
+import java.awt.geom.Rectangle2D;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import troupe.run.Run;
+import troupe.scene.Ability;
+import troupe.scene.Actor;
+import troupe.scene.Journey;
+
+/**
+ * Paints a run: its legs in the colour and line style of their abilities, a pill with the word where the
+ * ability is not walking, the ends of the task, and the actors at a time. What passes below something that
+ * hangs is drawn faintly. Immutable; serves any thread.
+ */
+public final class RunPainter {
+    private static final double COVERED_OPACITY = 0.4;
+    private static final double LEAST_RADIUS = 8;
+
+    private final Run run;
+    private final Theme theme;
+    private final Cover cover;
+    private final List<Track> tracks;
+    private final List<Drawn> legs;
+
+    private record Drawn(Optional<Ability> ability, List<Cover.Part> parts) {}
+
+    /** Makes a painter of a run. Cost O(points of its legs). */
+    public RunPainter(Run run, Theme theme) {
+        this.run = run;
+        this.theme = theme;
+        this.cover = new Cover(run.scene());
+        this.tracks = Track.of(run.frames());
+        this.legs = run.legs().stream()
+                .map(leg -> new Drawn(Track.ability(leg.ability()), cover.parts(leg.points())))
+                .toList();
+    }
+
+    /** Paints everything as it stands at {@code time} seconds. */
+    public void paint(Graphics2D g, Viewport view, double time) {
+        paintLegs(g, view);
+        paintEnds(g, view);
+        Labels labels = new Labels();
+        takeRoom(labels, view, time);
+        paintPills(g, view, labels);
+        paintActors(g, view, time);
+    }
+
+    /** Paints the legs. */
+    public void paintLegs(Graphics2D graphics, Viewport view) {
+        Graphics2D g = Shapes.smooth(graphics);
+        g.setColor(theme.color(Tone.FLOOR, 0.9));
+        g.setStroke(Theme.line(Theme.PATH_WIDTH + 2.6f));
+        for (Drawn leg : legs) {
+            for (Cover.Part part : leg.parts()) {
+                if (!part.covered()) {
+                    g.draw(Shapes.line(part.coordinates(), 2, view));
+                }
+            }
+        }
+        for (Drawn leg : legs) {
+            Color colour = leg.ability().map(theme::color).orElse(theme.color(Tone.DIM));
+            BasicStroke stroke = leg.ability()
+                    .map(a -> Theme.stroke(a, Theme.PATH_WIDTH))
+                    .orElse(Theme.line(Theme.PATH_WIDTH));
+            g.setStroke(stroke);
+            for (Cover.Part part : leg.parts()) {
+                double opacity = part.covered() ? COVERED_OPACITY : 1;
+                g.setColor(new Color(
+                        colour.getRed(), colour.getGreen(), colour.getBlue(), (int) Math.round(255 * opacity)));
+                g.draw(Shapes.line(part.coordinates(), 2, view));
+            }
+        }
+        g.dispose();
+    }
+
+    /** Paints start and goal of the task, if it has them. */
+    public void paintEnds(Graphics2D g, Viewport view) {
+        if (run.scene().task(run.task()).orElse(null) instanceof Journey journey) {
+            TaskPainter.paint(g, run.scene(), journey, view, theme);
+        }
+    }
+
+    /** Takes the room of the path, its ends and the actors at a time, so that text keeps away from them. */
+    public void takeRoom(Labels labels, Viewport view, double time) {
+        if (run.scene().task(run.task()).orElse(null) instanceof Journey journey) {
+            TaskPainter.take(labels, journey, view);
+        }
+        for (double[] p : pixels(legs, view)) {
+            labels.take(new Rectangle2D.Double(p[0] - 1, p[1] - 1, 2, 2));
+        }
+        if (run.frames().count() > 0) {
+            int frame = Track.frameAt(run.frames(), time);
+            for (Track track : tracks) {
+                double r = radius(track, view);
+                labels.take(new Rectangle2D.Double(
+                        view.px(track.x(frame)) - r, view.py(track.y(frame)) - r, 2 * r, 2 * r));
+            }
+        }
+    }
+
+    private double radius(Track track, Viewport view) {
+        double metres = run.scene().actor(track.owner()).map(a -> a.walk().radius()).orElse(0.0);
+        return Math.max(LEAST_RADIUS, view.scale() * metres);
+    }
+
+    /** Paints a pill with the word of each stretch that is not walked, where there is room beside it. */
+    public void paintPills(Graphics2D graphics, Viewport view, Labels labels) {
+        Graphics2D g = Shapes.smooth(graphics);
+        Pills pills = new Pills(g, theme, labels, pixels(legs, view));
+        int i = 0;
+        while (i < legs.size()) {
+            int end = i + 1;
+            while (end < legs.size() && legs.get(end).ability().equals(legs.get(i).ability())) {
+                end++;
+            }
+            Optional<Ability> ability = legs.get(i).ability();
+            if (ability.isPresent() && ability.get() != Ability.WALK) {
+                pills.paint(ability.get(), pixels(legs.subList(i, end), view));
+            }
+            i = end;
+        }
+        g.dispose();
+    }
+
+    /** Returns points along the legs, at most eight pixels apart. */
+    private static List<double[]> pixels(List<Drawn> legs, Viewport view) {
+        List<double[]> points = new ArrayList<>();
+        for (Drawn leg : legs) {
+            for (Cover.Part part : leg.parts()) {
+                double[] at = part.coordinates();
+                for (int k = 0; k + 1 < at.length; k += 2) {
+                    double x = view.px(at[k]);
+                    double y = view.py(at[k + 1]);
+                    double[] from = k == 0 || points.isEmpty() ? new double[] {x, y} : points.get(points.size() - 1);
+                    int pieces = (int) Math.max(1, Math.min(500, Math.hypot(x - from[0], y - from[1]) / 8));
+                    for (int p = 1; p <= pieces; p++) {
+                        double share = (double) p / pieces;
+                        points.add(new double[] {from[0] + share * (x - from[0]), from[1] + share * (y - from[1])});
+                    }
+                }
+            }
+        }
+        return points;
+    }
+
+    /** Paints every actor where it is at {@code time} seconds: a disc of its radius with its heading. */
+    public void paintActors(Graphics2D graphics, Viewport view, double time) {
+        if (run.frames().count() == 0) {
+            return;
+        }
+        int frame = Track.frameAt(run.frames(), time);
+        Graphics2D g = Shapes.smooth(graphics);
+        for (Track track : tracks) {
+            Optional<Actor> actor = run.scene().actor(track.owner());
+            double x = track.x(frame);
+            double y = track.y(frame);
+            Color colour = Track.ability(track.ability(frame))
+                    .map(theme::color)
+                    .orElse(actor.map(a -> Shapes.colour(a.colour(), theme.color(Tone.WALK)))
+                            .orElse(theme.color(Tone.WALK)));
+            if (cover.over(x, y, track.z(frame))) {
+                g.setComposite(AlphaComposite.getInstance(AlphaComposite.SRC_OVER, 0.6f));
+            }
+            paintActor(g, view.px(x), view.py(y), radius(track, view), track.headingRad(frame), colour);
+            g.setComposite(AlphaComposite.SrcOver);
+        }
+        g.dispose();
+    }
+
+    private void paintActor(Graphics2D g, double x, double y, double radius, double headingRad, Color colour) {
+        Ellipse2D disc = new Ellipse2D.Double(x - radius, y - radius, 2 * radius, 2 * radius);
+        g.setColor(colour);
+        g.fill(disc);
+        g.setColor(theme.color(Tone.PANEL));
+        g.setStroke(Theme.line(2));
+        g.draw(disc);
+        Path2D arrow = new Path2D.Double();
+        arrow.moveTo(0.1, -0.45);
+        arrow.lineTo(0.8, 0);
+        arrow.lineTo(0.1, 0.45);
+        arrow.closePath();
+        AffineTransform place = AffineTransform.getTranslateInstance(x, y);
+        place.rotate(-headingRad);
+        place.scale(radius, radius);
+        g.setColor(Color.WHITE);
+        g.fill(place.createTransformedShape(arrow));
+    }
+}

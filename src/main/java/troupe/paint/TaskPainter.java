@@ -1,0 +1,72 @@
+package troupe.paint;
+
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Path2D;
+import java.awt.geom.Rectangle2D;
+import troupe.scene.Journey;
+import troupe.scene.Place;
+import troupe.scene.Scene;
+
+/** Paints where a journey starts, a ring, and where it ends, a flag whose foot is the goal. */
+public final class TaskPainter {
+    private static final double RING = 7;
+    private static final double POLE = 26;
+
+    private TaskPainter() {}
+
+    /** Paints the ends of a journey in the colour of its actor, or else of walking. */
+    public static void paint(Graphics2D graphics, Scene scene, Journey journey, Viewport view, Theme theme) {
+        Graphics2D g = Shapes.smooth(graphics);
+        Color colour = scene.actor(journey.actor())
+                .map(a -> Shapes.colour(a.colour(), theme.color(Tone.WALK)))
+                .orElse(theme.color(Tone.WALK));
+        paintStart(g, theme, colour, journey.start(), view);
+        paintGoal(g, theme, colour, journey.goal(), view);
+        g.dispose();
+    }
+
+    /** Takes the room of ring and flag, so that text keeps away from them. */
+    static void take(Labels labels, Journey journey, Viewport view) {
+        double x = view.px(journey.start().x());
+        double y = view.py(journey.start().y());
+        labels.take(new Rectangle2D.Double(x - RING, y - RING, 2 * RING, 2 * RING));
+        x = view.px(journey.goal().x());
+        y = view.py(journey.goal().y());
+        labels.take(new Rectangle2D.Double(x - 2, y - POLE, 20, POLE + 2));
+    }
+
+    private static void paintStart(Graphics2D g, Theme theme, Color colour, Place start, Viewport view) {
+        double x = view.px(start.x());
+        double y = view.py(start.y());
+        Ellipse2D ring = new Ellipse2D.Double(x - RING, y - RING, 2 * RING, 2 * RING);
+        g.setColor(theme.color(Tone.PANEL));
+        g.fill(ring);
+        g.setColor(colour);
+        g.setStroke(Theme.line(3));
+        g.draw(ring);
+    }
+
+    private static void paintGoal(Graphics2D g, Theme theme, Color colour, Place goal, Viewport view) {
+        double x = view.px(goal.x());
+        double y = view.py(goal.y());
+        Path2D flag = new Path2D.Double();
+        flag.moveTo(x, y);
+        flag.lineTo(x, y - POLE);
+        flag.lineTo(x + 17, y - POLE + 6);
+        flag.lineTo(x, y - POLE + 13);
+        g.setColor(theme.color(Tone.PANEL, 0.9));
+        g.setStroke(Theme.line(5));
+        g.draw(flag);
+        Path2D pennant = new Path2D.Double();
+        pennant.moveTo(x, y - POLE);
+        pennant.lineTo(x + 17, y - POLE + 6);
+        pennant.lineTo(x, y - POLE + 13);
+        pennant.closePath();
+        g.setColor(colour);
+        g.fill(pennant);
+        g.setStroke(Theme.line(2));
+        g.draw(flag);
+    }
+}
