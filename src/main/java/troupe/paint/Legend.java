@@ -88,8 +88,7 @@ public final class Legend {
         if (overlay instanceof Overlay.Lines) {
             entries.add(line(theme.color(OverlayPainter.lineTone(overlay.key())), Theme.line(1.6f), name));
         } else if (overlay instanceof Overlay.Points) {
-            entries.add(new Entry(
-                    g -> OverlayPainter.paintPoint(g, theme, 6, 0), 12, name));
+            entries.add(new Entry(g -> OverlayPainter.paintPoint(g, theme, 6, 0), 12, name));
         } else if (overlay instanceof Overlay.Field f && f.scale() instanceof Overlay.Continuous c) {
             String each = c.contour() > 0 ? ", every " + number(c.contour()) + " " + c.unit() : "";
             if (filled || c.contour() <= 0) {
@@ -185,7 +184,9 @@ public final class Legend {
     }
 
     private static int width(FontMetrics metrics, Graphics2D g, Entry entry) {
-        return entry.width() + SAMPLE_GAP + (int) Math.ceil(metrics.getStringBounds(entry.text(), g).getWidth());
+        return entry.width()
+                + SAMPLE_GAP
+                + (int) Math.ceil(metrics.getStringBounds(entry.text(), g).getWidth());
     }
 
     /** Returns x in pixels and row of each entry. */

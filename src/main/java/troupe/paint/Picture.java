@@ -48,14 +48,7 @@ public record Picture(
     /** Makes the picture of a scene in the light theme. */
     public static Picture of(Scene scene) {
         return new Picture(
-                scene,
-                List.of(),
-                Optional.empty(),
-                0,
-                Theme.LIGHT,
-                Double.POSITIVE_INFINITY,
-                true,
-                Legend.ENGLISH);
+                scene, List.of(), Optional.empty(), 0, Theme.LIGHT, Double.POSITIVE_INFINITY, true, Legend.ENGLISH);
     }
 
     /** Makes the picture of a run at a time in seconds, in the light theme. */

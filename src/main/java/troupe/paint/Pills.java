@@ -66,8 +66,8 @@ final class Pills {
     }
 
     private void paint(Ability ability, Rectangle2D place) {
-        RoundRectangle2D pill = new RoundRectangle2D.Double(
-                place.getX(), place.getY(), place.getWidth(), HEIGHT, HEIGHT, HEIGHT);
+        RoundRectangle2D pill =
+                new RoundRectangle2D.Double(place.getX(), place.getY(), place.getWidth(), HEIGHT, HEIGHT, HEIGHT);
         g.setColor(theme.color(Tone.PANEL));
         g.fill(pill);
         g.setColor(theme.color(ability));

@@ -68,9 +68,8 @@ public final class RunPainter {
         }
         for (Drawn leg : legs) {
             Color colour = leg.ability().map(theme::color).orElse(theme.color(Tone.DIM));
-            BasicStroke stroke = leg.ability()
-                    .map(a -> Theme.stroke(a, Theme.PATH_WIDTH))
-                    .orElse(Theme.line(Theme.PATH_WIDTH));
+            BasicStroke stroke =
+                    leg.ability().map(a -> Theme.stroke(a, Theme.PATH_WIDTH)).orElse(Theme.line(Theme.PATH_WIDTH));
             g.setStroke(stroke);
             for (Cover.Part part : leg.parts()) {
                 double opacity = part.covered() ? COVERED_OPACITY : 1;
@@ -101,14 +100,15 @@ public final class RunPainter {
             int frame = Track.frameAt(run.frames(), time);
             for (Track track : tracks) {
                 double r = radius(track, view);
-                labels.take(new Rectangle2D.Double(
-                        view.px(track.x(frame)) - r, view.py(track.y(frame)) - r, 2 * r, 2 * r));
+                labels.take(
+                        new Rectangle2D.Double(view.px(track.x(frame)) - r, view.py(track.y(frame)) - r, 2 * r, 2 * r));
             }
         }
     }
 
     private double radius(Track track, Viewport view) {
-        double metres = run.scene().actor(track.owner()).map(a -> a.walk().radius()).orElse(0.0);
+        double metres =
+                run.scene().actor(track.owner()).map(a -> a.walk().radius()).orElse(0.0);
         return Math.max(LEAST_RADIUS, view.scale() * metres);
     }
 
@@ -119,7 +119,8 @@ public final class RunPainter {
         int i = 0;
         while (i < legs.size()) {
             int end = i + 1;
-            while (end < legs.size() && legs.get(end).ability().equals(legs.get(i).ability())) {
+            while (end < legs.size()
+                    && legs.get(end).ability().equals(legs.get(i).ability())) {
                 end++;
             }
             Optional<Ability> ability = legs.get(i).ability();

@@ -41,12 +41,10 @@ public final class Sketch {
             double x = 9.4 - 0.35 * k;
             all.add(fixed("stair-" + (12 - k), x, 11.2, x + 0.35, 12.4, 0, 0.215 * (k + 1), ""));
         }
-        all.add(new Obstacle(
-                "gallery", "Gallery", Polygon.rectangle(1, 11.2, 5.55, 12.4), 2.4, 0.2, false, 20, ""));
+        all.add(new Obstacle("gallery", "Gallery", Polygon.rectangle(1, 11.2, 5.55, 12.4), 2.4, 0.2, false, 20, ""));
         all.add(new Obstacle("crate", "Crate", Polygon.rectangle(7.7, 7, 8.6, 8), 0, 1, true, 22, ""));
         all.add(new Obstacle("table", "Table", Polygon.rectangle(12.4, 8, 14.4, 9), 0.7, 0.06, false, 30, ""));
-        all.add(new Obstacle(
-                "fountain", "", circle(12, 6.6, 0.6), 0, 0.6, false, 500, "#8fb7cc"));
+        all.add(new Obstacle("fountain", "", circle(12, 6.6, 0.6), 0, 0.6, false, 500, "#8fb7cc"));
         return new Scene(
                 "Sketch",
                 new World(18, 13, 18.0 / 256),
@@ -80,7 +78,8 @@ public final class Sketch {
                 leg("move", "crate", 7, 9, 7.2, 7.4, 0, 8.4, 7.6, 0, 9.3, 8.1, 0),
                 leg("stride", "", 9, 9.5, 9.3, 8.1, 0, 10.1, 8, 0),
                 leg("walk", "", 9.5, 10, 10.1, 8, 0, 11.1, 7.2, 0));
-        return new Run(scene(), "to-the-fountain", Outcome.FOUND, Report.builder().build(), frames(legs), legs, List.of());
+        return new Run(
+                scene(), "to-the-fountain", Outcome.FOUND, Report.builder().build(), frames(legs), legs, List.of());
     }
 
     private static Run.Leg leg(String ability, String what, double begin, double end, double... xyz) {
@@ -127,7 +126,8 @@ public final class Sketch {
 
     private static double[] at(List<Run.Leg> legs, double time) {
         Run.Leg leg = legs.stream().filter(l -> time <= l.end()).findFirst().orElseThrow();
-        double share = (time - leg.begin()) / (leg.end() - leg.begin()) * (leg.points().size() - 1);
+        double share =
+                (time - leg.begin()) / (leg.end() - leg.begin()) * (leg.points().size() - 1);
         int k = Math.min((int) share, leg.points().size() - 2);
         double[] a = leg.points().get(k);
         double[] b = leg.points().get(k + 1);
@@ -184,9 +184,7 @@ public final class Sketch {
     /** Returns two lines of a skeleton. */
     public static Overlay.Lines skeleton() {
         return new Overlay.Lines(
-                "skeleton",
-                0,
-                List.of(new double[] {1.1, 1.1, 3, 3, 7, 3, 7, 7.5, 9, 7.5, 11.1, 7.2}, new double[] {
+                "skeleton", 0, List.of(new double[] {1.1, 1.1, 3, 3, 7, 3, 7, 7.5, 9, 7.5, 11.1, 7.2}, new double[] {
                     7, 7.5, 7, 10.8, 16.5, 11.5, 16.6, 4, 12, 3.8, 7, 3
                 }));
     }
