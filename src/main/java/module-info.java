@@ -10,6 +10,7 @@ module troupe {
     exports troupe.search;
     exports troupe.grid;
     exports troupe.run;
+    exports troupe.unified;
     exports troupe.paint;
     exports troupe.exchange;
 }

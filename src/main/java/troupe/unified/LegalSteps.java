@@ -1,0 +1,76 @@
+package troupe.unified;
+
+import troupe.grid.Kind;
+import troupe.grid.Region;
+
+/**
+ * Decides whether a label may step to a neighbour, and what it carries on: {@code STABLE} and {@code
+ * LEGAL} of Unified figure 7, with counters in metres instead of cells. The answer to the last {@link
+ * #check} that held is read from the getters; nothing is allocated.
+ *
+ * <ul>
+ *   <li>On a border the metres travelled there may not pass the limit;
+ *       a stable place sets them back to 0.
+ * </ul>
+ */
+final class LegalSteps {
+    private static final int NONE = -1;
+
+    private final Region region;
+    private final JourneyCosts costs;
+    private final int spans;
+    private final double straight;
+    private final double diagonal;
+
+    private long cost;
+    private double used;
+    private int begin;
+
+    /** Makes the rules for a region. */
+    LegalSteps(Region region, JourneyCosts costs) {
+        this.region = region;
+        this.costs = costs;
+        spans = region.spanCount();
+        straight = region.frame().stepLength(0);
+        diagonal = region.frame().stepLength(4);
+    }
+
+    /**
+     * Tells whether a step to a neighbour is legal.
+     *
+     * @param from where the label stands
+     * @param usedUp the metres it has travelled on unstable places since the last stable one
+     * @param begun where its crossing began, or -1 outside of crossings
+     * @param to a neighbour of {@code from}
+     * @param direction the direction of the step
+     */
+    boolean check(int from, double usedUp, int begun, int to, int direction) {
+        return to < spans && from < spans && stands(from, usedUp, to, direction);
+    }
+
+    private boolean stands(int from, double usedUp, int to, int direction) {
+        begin = NONE;
+        used = region.kind(to) == Kind.BORDER ? usedUp + length(direction) : 0;
+        cost = costs.standing(region.abilities(from) & region.abilities(to), direction);
+        return cost < JourneyCosts.BLOCKED && used <= costs.limit(Kind.BORDER);
+    }
+
+    private double length(int direction) {
+        return direction < 4 ? straight : diagonal;
+    }
+
+    /** Returns the cost in units of the step that was legal. */
+    long cost() {
+        return cost;
+    }
+
+    /** Returns the metres travelled on unstable places after the step that was legal. */
+    double used() {
+        return used;
+    }
+
+    /** Returns where the crossing that is under way after the step began, or -1 for none. */
+    int begin() {
+        return begin;
+    }
+}

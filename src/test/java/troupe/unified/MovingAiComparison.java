@@ -1,0 +1,131 @@
+package troupe.unified;
+
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import troupe.exchange.MovingAiMap;
+import troupe.exchange.MovingAiProblems;
+import troupe.grid.Region;
+import troupe.scene.Actor;
+import troupe.scene.Preferences;
+
+/**
+ * Times the planner on the longest problems of grid maps against {@link PlainAStar} in the same process,
+ * and checks every length. Run with the paths of {@code .map} files; each has its {@code .map.scen} beside
+ * it. Prints a line for each map: median microseconds of both and their ratio, and median expansions.
+ */
+final class MovingAiComparison {
+    private static final int PROBLEMS = 100;
+    private static final int ROUNDS = 12;
+
+    private MovingAiComparison() {}
+
+    public static void main(String[] arguments) throws Exception {
+        boolean all = arguments.length > 0 && arguments[0].equals("--all");
+        for (String name : Arrays.copyOfRange(arguments, all ? 1 : 0, arguments.length)) {
+            MovingAiMap map = MovingAiMap.read(Path.of(name));
+            List<MovingAiProblems.Problem> problems = MovingAiProblems.read(Path.of(name + ".scen"));
+            long begin = System.nanoTime();
+            Region region = Region.of(map.scene(), Actor.walker("walker", 0, 0));
+            double millis = (System.nanoTime() - begin) / 1e6;
+            System.out.printf(Locale.ROOT, "%s: region in %.1f ms%n", map.name(), millis);
+            if (all) {
+                verify(region, problems);
+            }
+            compare(region, problems);
+        }
+    }
+
+    private static void verify(Region region, List<MovingAiProblems.Problem> problems) {
+        JourneyWorkspace work = new JourneyWorkspace(region);
+        int wrong = 0;
+        double worst = 0;
+        long begin = System.nanoTime();
+        for (MovingAiProblems.Problem problem : problems) {
+            double off = Math.abs(length(work, problem) - problem.length());
+            worst = Math.max(worst, off);
+            wrong += off <= 0.01 + 1e-5 * problem.length() ? 0 : 1;
+        }
+        double seconds = (System.nanoTime() - begin) / 1e9;
+        System.out.printf(
+                Locale.ROOT,
+                "  all %d problems in %.1f s, %d wrong, farthest off %g%n",
+                problems.size(),
+                seconds,
+                wrong,
+                worst);
+    }
+
+    private static double length(JourneyWorkspace work, MovingAiProblems.Problem problem) {
+        Region region = work.region();
+        int start = region.locate(problem.start());
+        int goal = region.locate(problem.goal());
+        JourneyCosts costs =
+                new JourneyCosts(region.actor(), Preferences.NEUTRAL, region.frame().cell());
+        JourneySearch search = new JourneySearch(work, costs, JourneyQuery.optimal(start, goal));
+        search.step(Long.MAX_VALUE);
+        return search.path().map(JourneyPath::length).orElse(Double.POSITIVE_INFINITY);
+    }
+
+    private static void compare(Region region, List<MovingAiProblems.Problem> problems) {
+        List<MovingAiProblems.Problem> longest = problems.stream()
+                .sorted(Comparator.comparingDouble(MovingAiProblems.Problem::length)
+                        .reversed())
+                .limit(PROBLEMS)
+                .toList();
+        boolean[] free = new boolean[region.frame().size()];
+        for (int cell = 0; cell < free.length; cell++) {
+            free[cell] = region.open(cell) && region.elevation(cell) == 0;
+        }
+        PlainAStar plain = new PlainAStar(free, region.frame().cols());
+        JourneyWorkspace work = new JourneyWorkspace(region);
+        JourneyCosts costs =
+                new JourneyCosts(region.actor(), Preferences.NEUTRAL, region.frame().cell());
+        double[] ours = new double[longest.size()];
+        double[] theirs = new double[longest.size()];
+        Arrays.fill(ours, Double.MAX_VALUE);
+        Arrays.fill(theirs, Double.MAX_VALUE);
+        long[] expanded = new long[3];
+        for (int round = 0; round < ROUNDS; round++) {
+            Arrays.fill(expanded, 0);
+            for (int i = 0; i < longest.size(); i++) {
+                int start = region.locate(longest.get(i).start());
+                int goal = region.locate(longest.get(i).goal());
+                long begin = System.nanoTime();
+                JourneySearch search = new JourneySearch(work, costs, JourneyQuery.optimal(start, goal));
+                search.step(Long.MAX_VALUE);
+                double length = search.path().orElseThrow().length();
+                long middle = System.nanoTime();
+                double check = plain.length(start, goal);
+                long end = System.nanoTime();
+                ours[i] = Math.min(ours[i], (middle - begin) / 1e3);
+                theirs[i] = Math.min(theirs[i], (end - middle) / 1e3);
+                expanded[0] += search.expanded();
+                expanded[1] += search.estimated();
+                expanded[2] += plain.expanded();
+                if (Math.abs(length - check) > 1e-6) {
+                    System.out.println("  differs: " + longest.get(i) + " " + length + " " + check);
+                }
+            }
+        }
+        double a = median(ours);
+        double b = median(theirs);
+        System.out.printf(
+                Locale.ROOT,
+                "  planner %.0f us, plain %.0f us, ratio %.2f; mean labels %d, cost-to-go %d, plain %d%n",
+                a,
+                b,
+                a / b,
+                expanded[0] / longest.size(),
+                expanded[1] / longest.size(),
+                expanded[2] / longest.size());
+    }
+
+    private static double median(double[] values) {
+        double[] sorted = values.clone();
+        Arrays.sort(sorted);
+        return sorted[sorted.length / 2];
+    }
+}
