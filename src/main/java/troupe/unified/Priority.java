@@ -36,8 +36,7 @@ interface Priority {
     }
 
     /** Orders as published: {@code a} times the potential plus {@code b} times the cost (Unified section 7). */
-    record Published(JourneyQuery.Potential potential, JourneyCosts costs, Ordering.Paper weights)
-            implements Priority {
+    record Published(JourneyQuery.Potential potential, JourneyCosts costs, Ordering.Paper weights) implements Priority {
         @Override
         public long key(int configuration, long cost) {
             double metres = potential.at(configuration);

@@ -34,8 +34,7 @@ class JourneySearchTest {
     }
 
     private static Region walkedRegion() {
-        return region(
-                Actor.walker("a", 0.25, 0.1), wall("upright", 4, 0, 4.5, 6), wall("across", 6, 3, 10, 3.5));
+        return region(Actor.walker("a", 0.25, 0.1), wall("upright", 4, 0, 4.5, 6), wall("across", 6, 3, 10, 3.5));
     }
 
     private static JourneySearch search(Region region, Ordering ordering, Preferences preferences, long limit) {
@@ -113,7 +112,8 @@ class JourneySearchTest {
         JourneySearch alone = search(walkedRegion());
         alone.step(Long.MAX_VALUE);
         assertArrayEquals(
-                alone.path().orElseThrow().configurations(), one.path().orElseThrow().configurations());
+                alone.path().orElseThrow().configurations(),
+                one.path().orElseThrow().configurations());
         assertEquals(one.path().orElseThrow().cost(), other.path().orElseThrow().cost(), 1e-9);
     }
 
@@ -141,8 +141,8 @@ class JourneySearchTest {
         JourneySearch walks = search(region);
         walks.step(Long.MAX_VALUE);
         assertSame(Ability.WALK, walks.path().orElseThrow().abilities().get(0));
-        JourneySearch sidesteps = search(
-                region, Ordering.OPTIMAL, Preferences.NEUTRAL.with(Ability.WALK, 5), Long.MAX_VALUE);
+        JourneySearch sidesteps =
+                search(region, Ordering.OPTIMAL, Preferences.NEUTRAL.with(Ability.WALK, 5), Long.MAX_VALUE);
         sidesteps.step(Long.MAX_VALUE);
         JourneyPath path = sidesteps.path().orElseThrow();
         assertTrue(path.abilities().stream().allMatch(a -> a == Ability.SIDESTEP));

@@ -62,8 +62,8 @@ final class MovingAiComparison {
         Region region = work.region();
         int start = region.locate(problem.start());
         int goal = region.locate(problem.goal());
-        JourneyCosts costs =
-                new JourneyCosts(region.actor(), Preferences.NEUTRAL, region.frame().cell());
+        JourneyCosts costs = new JourneyCosts(
+                region.actor(), Preferences.NEUTRAL, region.frame().cell());
         JourneySearch search = new JourneySearch(work, costs, JourneyQuery.optimal(start, goal));
         search.step(Long.MAX_VALUE);
         return search.path().map(JourneyPath::length).orElse(Double.POSITIVE_INFINITY);
@@ -81,8 +81,8 @@ final class MovingAiComparison {
         }
         PlainAStar plain = new PlainAStar(free, region.frame().cols());
         JourneyWorkspace work = new JourneyWorkspace(region);
-        JourneyCosts costs =
-                new JourneyCosts(region.actor(), Preferences.NEUTRAL, region.frame().cell());
+        JourneyCosts costs = new JourneyCosts(
+                region.actor(), Preferences.NEUTRAL, region.frame().cell());
         double[] ours = new double[longest.size()];
         double[] theirs = new double[longest.size()];
         Arrays.fill(ours, Double.MAX_VALUE);
