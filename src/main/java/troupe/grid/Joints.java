@@ -23,7 +23,7 @@ final class Joints {
     }
 
     /** Returns the open span over {@code cell + offset} that is joined to an open span, -1 if there is none. */
-    private int joined(int q, int cell, int offset) {
+    int joined(int q, int cell, int offset) {
         int from = at[cell];
         int to = at[cell + offset];
         int base = q - cell;
@@ -54,16 +54,5 @@ final class Joints {
     private boolean bridged(int q, int cell, int first, int second, int target) {
         int middle = joined(q, cell, first);
         return middle >= 0 && joined(middle, cell + first, second) == target;
-    }
-
-    /** Returns the directions in which the legal neighbour lies on the same sheet. */
-    int sameSheet(int q, int cell) {
-        int mask = 0;
-        for (int d = 0; d < GridFrame.DIRECTIONS; d++) {
-            if (legal(q, cell, d) == q + offsets[d]) {
-                mask |= 1 << d;
-            }
-        }
-        return mask;
     }
 }

@@ -1,6 +1,6 @@
 package troupe.grid;
 
-import troupe.scene.Actor;
+import java.util.BitSet;
 
 /**
  * Finds the legal steps between spans of the same sheet, one bit per direction. Where the nine columns
@@ -24,11 +24,24 @@ final class Moves {
         }
     }
 
-    private Moves() {}
+    private final Spans spans;
+    private final byte[] abilities;
+    private final Joints joints;
+    private final int[] offsets;
+    private final byte[] moves;
+    private final BitSet elsewhere;
 
-    static byte[] compute(Actor actor, Spans spans, byte[] abilities) {
-        byte[] moves = new byte[spans.size()];
-        Joints joints = new Joints(actor, spans, abilities);
+    Moves(Spans spans, byte[] abilities, Joints joints) {
+        this.spans = spans;
+        this.abilities = abilities;
+        this.joints = joints;
+        this.offsets = spans.frame().offsets();
+        this.moves = new byte[abilities.length];
+        this.elsewhere = new BitSet();
+    }
+
+    /** Finds the steps of every open span. Cost O(spans). */
+    void compute() {
         GridFrame frame = spans.frame();
         int cols = frame.cols();
         int[] at = spans.columnAt();
@@ -37,15 +50,40 @@ final class Moves {
             for (int row = 1; row < frame.rows() - 1; row++) {
                 for (int cell = row * cols + 1, end = cell + cols - 2; cell < end; cell++) {
                     int q = base + cell;
-                    if (abilities[q] != 0) {
-                        moves[q] = uniform(at, cell, cols)
-                                ? LEGAL[around(abilities, q, cols)]
-                                : (byte) joints.sameSheet(q, cell);
+                    if (abilities[q] == 0) {
+                        continue;
+                    }
+                    if (uniform(at, cell, cols)) {
+                        moves[q] = LEGAL[around(abilities, q, cols)];
+                    } else {
+                        single(q, cell);
                     }
                 }
             }
         }
+    }
+
+    private void single(int q, int cell) {
+        int mask = 0;
+        for (int d = 0; d < GridFrame.DIRECTIONS; d++) {
+            int target = joints.legal(q, cell, d);
+            if (target == q + offsets[d]) {
+                mask |= 1 << d;
+            } else if (target >= 0) {
+                elsewhere.set(q);
+            }
+        }
+        moves[q] = (byte) mask;
+    }
+
+    /** Returns the directions of each configuration's steps on its own sheet; the array itself. */
+    byte[] moves() {
         return moves;
+    }
+
+    /** Returns the spans that have a step to another sheet; the set itself. */
+    BitSet elsewhere() {
+        return elsewhere;
     }
 
     private static boolean uniform(int[] at, int cell, int cols) {

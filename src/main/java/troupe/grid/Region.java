@@ -1,5 +1,7 @@
 package troupe.grid;
 
+import java.util.BitSet;
+import troupe.scene.Ability;
 import troupe.scene.Actor;
 import troupe.scene.Place;
 import troupe.scene.Scene;
@@ -26,28 +28,35 @@ public final class Region {
     private final Actor actor;
     private final GridFrame frame;
     private final Spans spans;
+    private final Crossings crossings;
+    private final Clearance clearance;
     private final int cells;
     private final int spanCount;
     private final byte[] kinds;
     private final byte[] abilities;
     private final byte[] moves;
+    private final BitSet special;
+    private final Neighbours neighbours;
     private final int[] offsets;
 
-    Region(Actor actor, Spans spans, Standing standing) {
+    Region(Actor actor, Spans spans, Standing standing, Crossings crossings, Clearance clearance) {
         this.actor = actor;
         this.frame = spans.frame();
         this.spans = spans;
+        this.crossings = crossings;
+        this.clearance = clearance;
         this.cells = frame.size();
         this.spanCount = spans.size();
-        this.kinds = standing.kinds();
-        this.abilities = standing.abilities();
+        this.kinds = standing.kinds(crossings);
+        this.abilities = standing.abilities(crossings);
         this.offsets = frame.offsets();
-        for (int q = 0; q < spanCount; q++) {
-            if (abilities[q] == 0 && kinds[q] != Kind.ABSENT) {
-                kinds[q] = Kind.FORBIDDEN;
-            }
-        }
-        this.moves = Moves.compute(actor, spans, abilities);
+        Joints joints = new Joints(actor, spans, abilities);
+        Moves steps = new Moves(spans, abilities, joints);
+        steps.compute();
+        this.moves = steps.moves();
+        this.neighbours = new Neighbours(actor, spans, crossings, abilities, joints);
+        this.special = steps.elsewhere();
+        neighbours.markNear(special);
     }
 
     /** Builds the region of an actor that has already lost the abilities which preferences switch off. */
@@ -77,12 +86,15 @@ public final class Region {
 
     /** Returns the number of configurations: spans and crossings. */
     public int size() {
-        return spanCount;
+        return spanCount + crossings.size();
     }
 
     /** Returns the cell over which a configuration lies. */
     public int cell(int q) {
-        return q % cells;
+        if (q < cells) {
+            return q;
+        }
+        return q < spanCount ? q % cells : crossings.cell(q - spanCount);
     }
 
     /** Returns the x of a configuration in metres. */
@@ -97,7 +109,7 @@ public final class Region {
 
     /** Returns the elevation in metres: the floor of a span, NaN if absent; the take-off floor of a crossing. */
     public double elevation(int q) {
-        return spans.floor(q);
+        return q < spanCount ? spans.floor(q) : spans.elevation(crossings.level(q - spanCount));
     }
 
     /** Returns the class, one of {@link Kind}. */
@@ -125,7 +137,7 @@ public final class Region {
 
     /** Tells whether {@link #moves} gives all legal neighbours. */
     public boolean plain(int q) {
-        return true;
+        return q < spanCount && !special.get(q);
     }
 
     /**
@@ -136,6 +148,9 @@ public final class Region {
      * @return how many there are
      */
     public int neighbours(int q, int[] targets, int[] directions) {
+        if (!plain(q)) {
+            return neighbours.of(q, cell(q), targets, directions);
+        }
         int count = 0;
         int mask = moves(q);
         for (int d = 0; d < GridFrame.DIRECTIONS; d++) {
@@ -145,6 +160,48 @@ public final class Region {
             }
         }
         return count;
+    }
+
+    /**
+     * Tells whether a straight crossing of a kind leads from one span to another: both stable and open to
+     * walking, floors within a step, no further apart than the gait ({@link Kind#GAP}) or the reach
+     * ({@link Kind#JUMPABLE}), and between the two cells only crossings of that kind from the floor of
+     * {@code begin}, at least one. Cost O(length in cells).
+     *
+     * @throws IllegalArgumentException if the kind is neither
+     */
+    public boolean straight(int begin, int end, byte kind) {
+        if (kind != Kind.GAP && kind != Kind.JUMPABLE) {
+            throw new IllegalArgumentException("kind " + kind + "; needs GAP or JUMPABLE");
+        }
+        double limit = kind == Kind.GAP
+                ? actor.stride().map(Actor.Stride::gait).orElse(0.0)
+                : actor.vault().map(Actor.Vault::reach).orElse(0.0);
+        if (begin == end || !takesOff(begin) || !takesOff(end)) {
+            return false;
+        }
+        int dx = frame.col(cell(end)) - frame.col(cell(begin));
+        int dy = frame.row(cell(end)) - frame.row(cell(begin));
+        int level = spans.level(begin);
+        return Math.abs(elevation(begin) - elevation(end)) <= actor.stepHeight() + Column.SAME
+                && (double) dx * dx + (double) dy * dy <= Pruning.squaredCells(limit, frame.cell())
+                && (dx | dy) != 0
+                && Straight.passes(
+                        cell(begin), dx, dy, frame.cols(), cell -> crossings.find(cell, level, kind) >= 0);
+    }
+
+    private boolean takesOff(int q) {
+        return q < spanCount && kinds[q] == Kind.STABLE && (abilities[q] & Ability.WALK.bit()) != 0;
+    }
+
+    /**
+     * Returns the distance in metres from the centre of a span's cell to the nearest solid that a standing
+     * body would meet, or the world's edge; 0 where there is no span, and for a crossing. Exact up to the
+     * largest radius and two cells; beyond, within 0.71 cells. The field is computed when it is first asked
+     * for, O(cells) per floor elevation.
+     */
+    public float clearance(int q) {
+        return q < spanCount ? clearance.of(q) : 0;
     }
 
     /**

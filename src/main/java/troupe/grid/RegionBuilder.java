@@ -45,9 +45,13 @@ public final class RegionBuilder {
     public Region region() {
         if (region == null) {
             spans();
-            Standing standing = new Standing(scene, actor, spans);
+            Standing standing = new Standing(scene, actor, columns, spans);
             standing.bodies();
-            region = new Region(actor, spans, standing);
+            standing.feet();
+            Crossings crossings = actor.stride().isPresent() || actor.vault().isPresent()
+                    ? new CrossingFinder(scene, actor, columns, spans, standing).find()
+                    : Crossings.NONE;
+            region = new Region(actor, spans, standing, crossings, new Clearance(scene, actor, columns, spans, standing.rims()));
         }
         return region;
     }

@@ -21,17 +21,24 @@ final class Standing {
     /** Radii under this many cells leave part of a step to a neighbouring cell uncovered. */
     static final double TOUCHING = 0.71;
 
+    private static final int EDGE = 1;
+    private static final int DROP = 2;
+
     private final Scene scene;
     private final Actor actor;
+    private final Columns columns;
     private final Spans spans;
+    private final Rims rims;
     private final int cells;
     private final byte[] abilities;
     private final byte[] kinds;
 
-    Standing(Scene scene, Actor actor, Spans spans) {
+    Standing(Scene scene, Actor actor, Columns columns, Spans spans) {
         this.scene = scene;
         this.actor = actor;
+        this.columns = columns;
         this.spans = spans;
+        this.rims = new Rims(scene, columns, actor.footRadius() > 0);
         this.cells = spans.frame().size();
         this.abilities = new byte[spans.size()];
         this.kinds = new byte[spans.size()];
@@ -45,7 +52,11 @@ final class Standing {
         int sidestep = Ability.SIDESTEP.bit();
         double walkRadius = actor.walk().radius();
         edge(runs, walkRadius, walk);
-        actor.sidestep().ifPresent(s -> edge(runs, s.radius(), sidestep));
+        ditchWalls(runs, walkRadius, walk);
+        actor.sidestep().ifPresent(s -> {
+            edge(runs, s.radius(), sidestep);
+            ditchWalls(runs, s.radius(), sidestep);
+        });
         boolean[] blocked = new boolean[spans.levels()];
         for (Obstacle obstacle : scene.obstacles()) {
             boolean any = false;
@@ -104,6 +115,85 @@ final class Standing {
         take(runs, blocked, bit);
     }
 
+    /** Takes an ability near the walls of ditches: pieces where the ground rises above a floor and its step. */
+    private void ditchWalls(CellRuns runs, double radius, int bit) {
+        boolean[] blocked = new boolean[spans.levels()];
+        for (int i = 0; i < rims.size(); i++) {
+            double left = columns.column(rims.left(i)).ground();
+            double right = columns.column(rims.right(i)).ground();
+            if (left == right) {
+                continue;
+            }
+            for (int level = 0; level < blocked.length; level++) {
+                double limit = spans.elevation(level) + actor.stepHeight() + Column.SAME;
+                blocked[level] = Math.min(left, right) <= limit && Math.max(left, right) > limit;
+            }
+            runs.clear();
+            rims.near(i, radius, runs);
+            if (touching(radius)) {
+                rims.touch(i, runs);
+            }
+            take(runs, blocked, bit);
+        }
+    }
+
+    /**
+     * Looks under the foot disc of each span: where it holds a floor within a step of the span's own but
+     * not the same, the span is a border; where it holds one deeper than a step, nobody stands there.
+     * A point where a solid stands in the body's way says nothing about support.
+     */
+    void feet() {
+        CellRuns runs = new CellRuns(spans.frame());
+        byte[] under = new byte[spans.levels()];
+        for (int i = 0; i < rims.size(); i++) {
+            int worst = 0;
+            for (int level = 0; level < under.length; level++) {
+                under[level] = (byte) Math.max(under(rims.left(i), level), under(rims.right(i), level));
+                worst = Math.max(worst, under[level]);
+            }
+            if (worst > 0) {
+                runs.clear();
+                rims.near(i, actor.footRadius(), runs);
+                mark(runs, under);
+            }
+        }
+    }
+
+    private int under(int column, int level) {
+        double floor = spans.elevation(level);
+        Column solids = columns.column(column);
+        if (solids.meets(floor + actor.stepHeight(), floor + actor.bodyHeight())) {
+            return 0;
+        }
+        double surface = solids.highestTop(floor + actor.stepHeight());
+        if (surface < floor - actor.stepHeight() - Column.SAME) {
+            return DROP;
+        }
+        return Math.abs(surface - floor) > Column.SAME ? EDGE : 0;
+    }
+
+    private void mark(CellRuns runs, byte[] under) {
+        int[] at = spans.columnAt();
+        int sheets = spans.sheets();
+        for (int i = 0; i < runs.size(); i++) {
+            for (int cell = runs.from(i), end = runs.to(i); cell < end; cell++) {
+                for (int sheet = 0; sheet < sheets; sheet++) {
+                    int level = spans.level(at[cell], sheet);
+                    int q = sheet * cells + cell;
+                    if (level < 0 || under[level] == 0) {
+                        continue;
+                    }
+                    if (under[level] == DROP) {
+                        kinds[q] = Kind.FORBIDDEN;
+                        abilities[q] = 0;
+                    } else if (kinds[q] == Kind.STABLE) {
+                        kinds[q] = Kind.BORDER;
+                    }
+                }
+            }
+        }
+    }
+
     private boolean touching(double radius) {
         return radius < TOUCHING * spans.frame().cell();
     }
@@ -124,13 +214,42 @@ final class Standing {
         }
     }
 
+    /** Returns the pieces of outlines where floors or ground change. */
+    Rims rims() {
+        return rims;
+    }
+
     /** Returns the ability bits of each span; the array itself. */
     byte[] abilities() {
         return abilities;
     }
 
-    /** Returns the kind of each span; the array itself. */
+    /** Returns the kind of each span, forbidden where it is over a drop; the array itself. */
     byte[] kinds() {
         return kinds;
+    }
+
+    /** Returns the ability bits of each span and then of each crossing. */
+    byte[] abilities(Crossings crossings) {
+        byte[] all = Arrays.copyOf(abilities, abilities.length + crossings.size());
+        for (int i = 0; i < crossings.size(); i++) {
+            Ability ability = crossings.kind(i) == Kind.GAP ? Ability.STRIDE : Ability.VAULT;
+            all[abilities.length + i] = (byte) ability.bit();
+        }
+        return all;
+    }
+
+    /** Returns the kind of each span, forbidden where no ability has room, and then of each crossing. */
+    byte[] kinds(Crossings crossings) {
+        byte[] all = Arrays.copyOf(kinds, kinds.length + crossings.size());
+        for (int q = 0; q < kinds.length; q++) {
+            if (abilities[q] == 0 && kinds[q] != Kind.ABSENT) {
+                all[q] = Kind.FORBIDDEN;
+            }
+        }
+        for (int i = 0; i < crossings.size(); i++) {
+            all[kinds.length + i] = crossings.kind(i);
+        }
+        return all;
     }
 }

@@ -1,0 +1,145 @@
+package troupe.grid;
+
+import java.util.Arrays;
+
+/**
+ * Keeps of a mask of candidates those that some legal straight crossing passes: from a begin to an end
+ * no further apart than a limit, through candidates only. Crossings along rows, columns and diagonals are
+ * tried first, because they keep nearly everything; then, while candidates are left, every pair of ends
+ * that candidates touch.
+ */
+final class Pruning {
+    /** Marks a candidate. */
+    static final int CANDIDATE = 1;
+
+    /** Marks a cell where a crossing may end. */
+    static final int END = 2;
+
+    /** Marks a cell where a crossing may begin. */
+    static final int BEGIN = 4;
+
+    private static final int KEPT = 8;
+
+    private final int cols;
+    private final int rows;
+    private final byte[] state;
+    private final Straight.Cells candidate;
+    private final Straight.Cells keep;
+    private int left;
+
+    Pruning(int cols, int rows, byte[] state) {
+        this.cols = cols;
+        this.rows = rows;
+        this.state = state;
+        this.candidate = i -> (state[i] & CANDIDATE) != 0;
+        this.keep = this::keep;
+    }
+
+    /** Returns the greatest squared distance in cells of a crossing of at most {@code limit} metres. */
+    static double squaredCells(double limit, double cell) {
+        double reach = (limit + 1e-9) / cell;
+        return reach * reach;
+    }
+
+    /** Returns a mask of the candidates that lie on a crossing of at most the given squared length in cells. */
+    byte[] kept(double squared) {
+        for (byte s : state) {
+            left += s & CANDIDATE;
+        }
+        int reach = (int) Math.floor(Math.sqrt(squared));
+        int[] ends = touching(END);
+        for (int e : ends) {
+            if ((state[e] & BEGIN) != 0) {
+                alongDirections(e, squared);
+            }
+        }
+        for (int e : ends) {
+            if (left > 0 && (state[e] & BEGIN) != 0) {
+                toEnds(e, ends, reach, squared);
+            }
+        }
+        byte[] kept = new byte[state.length];
+        for (int i = 0; i < kept.length; i++) {
+            kept[i] = (byte) (state[i] >> 3 & 1);
+        }
+        return kept;
+    }
+
+    /** Returns the ascending cells with a flag that have a candidate among their eight neighbours. */
+    private int[] touching(int flag) {
+        int[] list = new int[64];
+        int count = 0;
+        for (int row = 0; row < rows; row++) {
+            for (int col = 0; col < cols; col++) {
+                int i = row * cols + col;
+                if ((state[i] & flag) != 0 && touches(col, row)) {
+                    if (count == list.length) {
+                        list = Arrays.copyOf(list, 2 * count);
+                    }
+                    list[count++] = i;
+                }
+            }
+        }
+        return Arrays.copyOf(list, count);
+    }
+
+    private boolean touches(int col, int row) {
+        for (int d = 0; d < GridFrame.DIRECTIONS; d++) {
+            if (is(col + GridFrame.dx(d), row + GridFrame.dy(d), CANDIDATE)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private boolean is(int col, int row, int flag) {
+        return col >= 0 && row >= 0 && col < cols && row < rows && (state[row * cols + col] & flag) != 0;
+    }
+
+    /** Keeps what the crossings from one begin along the eight directions pass. */
+    private void alongDirections(int begin, double squared) {
+        int col = begin % cols;
+        int row = begin / cols;
+        for (int d = 0; d < GridFrame.DIRECTIONS; d++) {
+            int each = d < 4 ? 1 : 2;
+            int last = 0;
+            for (int n = 1; (double) n * n * each <= squared; n++) {
+                int x = col + n * GridFrame.dx(d);
+                int y = row + n * GridFrame.dy(d);
+                if (is(x, y, END)) {
+                    last = n;
+                }
+                if (!is(x, y, CANDIDATE)) {
+                    break;
+                }
+            }
+            for (int n = 1; n < last; n++) {
+                keep((row + n * GridFrame.dy(d)) * cols + col + n * GridFrame.dx(d));
+            }
+        }
+    }
+
+    private boolean keep(int i) {
+        if ((state[i] & KEPT) == 0) {
+            state[i] |= KEPT;
+            left--;
+        }
+        return true;
+    }
+
+    /** Keeps what the crossings from one begin to all ends within reach pass. */
+    private void toEnds(int begin, int[] ends, int reach, double squared) {
+        int col = begin % cols;
+        int row = begin / cols;
+        int from = Arrays.binarySearch(ends, Math.max(0, row - reach) * cols);
+        for (int n = from < 0 ? -from - 1 : from; n < ends.length && ends[n] / cols <= row + reach; n++) {
+            int dx = ends[n] % cols - col;
+            int dy = ends[n] / cols - row;
+            if ((double) dx * dx + (double) dy * dy <= squared
+                    && (dx | dy) != 0
+                    && Straight.passes(begin, dx, dy, cols, candidate)) {
+                Straight.passes(begin, dx, dy, cols, keep);
+            }
+        }
+    }
+}

@@ -1,0 +1,74 @@
+package troupe.grid;
+
+import java.util.ArrayList;
+import java.util.List;
+import troupe.geometry.Box;
+
+/** Holds a rectangle of cells of a frame, with its own row-major index {@code (row - row0) * cols + col - col0}. */
+record Window(int col0, int row0, int cols, int rows) {
+
+    /** Makes the window of the cells that a box in metres meets, one more on each side, cut to the frame. */
+    static Window of(GridFrame frame, Box box) {
+        int left = Math.max(0, frame.colAt(box.minX()) - 1);
+        int low = Math.max(0, frame.rowAt(box.minY()) - 1);
+        int right = Math.min(frame.cols() - 1, frame.colAt(box.maxX()) + 1);
+        int high = Math.min(frame.rows() - 1, frame.rowAt(box.maxY()) + 1);
+        return new Window(left, low, Math.max(0, right - left + 1), Math.max(0, high - low + 1));
+    }
+
+    int size() {
+        return cols * rows;
+    }
+
+    /** Returns this window grown by {@code margin} cells on each side, cut to the frame. */
+    Window grown(int margin, GridFrame frame) {
+        int left = Math.max(0, col0 - margin);
+        int low = Math.max(0, row0 - margin);
+        int right = Math.min(frame.cols(), col0 + cols + margin);
+        int high = Math.min(frame.rows(), row0 + rows + margin);
+        return new Window(left, low, right - left, high - low);
+    }
+
+    boolean holds(int col, int row) {
+        return col >= col0 && col < col0 + cols && row >= row0 && row < row0 + rows;
+    }
+
+    /** Receives the stretches of runs that lie in a window. */
+    interface Stretch {
+        /** Takes the window indices {@code [from, to)}. */
+        void take(int from, int to);
+    }
+
+    /** Hands on the parts of the runs that lie in this window. */
+    void each(CellRuns runs, GridFrame frame, Stretch stretch) {
+        for (int i = 0; i < runs.size(); i++) {
+            int row = runs.from(i) / frame.cols();
+            if (row < row0 || row >= row0 + rows) {
+                continue;
+            }
+            int base = row * frame.cols();
+            int from = Math.max(runs.from(i) - base, col0);
+            int to = Math.min(runs.to(i) - base, col0 + cols);
+            int own = (row - row0) * cols - col0;
+            if (from < to) {
+                stretch.take(own + from, own + to);
+            }
+        }
+    }
+
+    /** Returns boxes that cover the given ones and do not meet each other. Cost O(n³) at worst, n boxes. */
+    static List<Box> apart(List<Box> boxes) {
+        List<Box> apart = new ArrayList<>();
+        for (Box box : boxes) {
+            Box grown = box;
+            for (int i = 0; i < apart.size(); i++) {
+                if (apart.get(i).meets(grown)) {
+                    grown = grown.union(apart.remove(i));
+                    i = -1;
+                }
+            }
+            apart.add(grown);
+        }
+        return apart;
+    }
+}
