@@ -41,7 +41,9 @@ final class Clearance {
     private synchronized float[] whole() {
         if (field == null) {
             float[] made = new float[spans.size()];
-            double band = Math.max(actor.walk().radius(), actor.sidestep().map(Actor.Sidestep::radius).orElse(0.0))
+            double band = Math.max(
+                            actor.walk().radius(),
+                            actor.sidestep().map(Actor.Sidestep::radius).orElse(0.0))
                     + 2 * frame.cell();
             for (int level = 0; level < spans.levels(); level++) {
                 bound(level, made, (float) band);
@@ -176,8 +178,8 @@ final class Clearance {
         boolean[] blocked = new boolean[spans.levels()];
         for (Obstacle obstacle : scene.obstacles()) {
             for (int level = 0; level < blocked.length; level++) {
-                blocked[level] = RegionBuilder.blocks(
-                        obstacle, spans.elevation(level), actor.stepHeight(), actor.bodyHeight());
+                blocked[level] =
+                        RegionBuilder.blocks(obstacle, spans.elevation(level), actor.stepHeight(), actor.bodyHeight());
             }
             runs.clear();
             runs.near(obstacle.outline(), band);

@@ -186,8 +186,7 @@ public final class Region {
         return Math.abs(elevation(begin) - elevation(end)) <= actor.stepHeight() + Column.SAME
                 && (double) dx * dx + (double) dy * dy <= Pruning.squaredCells(limit, frame.cell())
                 && (dx | dy) != 0
-                && Straight.passes(
-                        cell(begin), dx, dy, frame.cols(), cell -> crossings.find(cell, level, kind) >= 0);
+                && Straight.passes(cell(begin), dx, dy, frame.cols(), cell -> crossings.find(cell, level, kind) >= 0);
     }
 
     private boolean takesOff(int q) {

@@ -51,7 +51,8 @@ public final class RegionBuilder {
             Crossings crossings = actor.stride().isPresent() || actor.vault().isPresent()
                     ? new CrossingFinder(scene, actor, columns, spans, standing).find()
                     : Crossings.NONE;
-            region = new Region(actor, spans, standing, crossings, new Clearance(scene, actor, columns, spans, standing.rims()));
+            region = new Region(
+                    actor, spans, standing, crossings, new Clearance(scene, actor, columns, spans, standing.rims()));
         }
         return region;
     }

@@ -59,7 +59,8 @@ final class Rims {
         }
         Integer[] order = new Integer[outlines.size()];
         Arrays.setAll(order, i -> i);
-        Arrays.sort(order, Comparator.comparingDouble(i -> outlines.get(i).bounds().minX()));
+        Arrays.sort(
+                order, Comparator.comparingDouble(i -> outlines.get(i).bounds().minX()));
         for (int a = 0; a < order.length; a++) {
             Box box = outlines.get(order[a]).bounds().grown(2 * ASIDE);
             for (int b = a + 1; b < order.length; b++) {

@@ -78,8 +78,8 @@ final class Solids {
         runs.clear();
         runs.nearEdge(scene.world(), radius);
         if (touching) {
-            runs.touch(Polygon.rectangle(
-                    0, 0, scene.world().width(), scene.world().depth()));
+            runs.touch(
+                    Polygon.rectangle(0, 0, scene.world().width(), scene.world().depth()));
         }
     }
 
@@ -111,7 +111,8 @@ final class Solids {
         }
         for (int id = 1; id < columns.count(); id++) {
             if (inRange(columns.column(id).ground(), floor, vault)) {
-                return List.of(new Box(0, 0, scene.world().width(), scene.world().depth()));
+                return List.of(
+                        new Box(0, 0, scene.world().width(), scene.world().depth()));
             }
         }
         return boxes;

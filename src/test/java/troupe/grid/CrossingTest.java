@@ -64,7 +64,8 @@ class CrossingTest {
         int left = region.locate(Place.of(2.25, 2.05));
         int right = region.locate(Place.of(3.05, 2.05));
         assertTrue(region.straight(left, right, Kind.JUMPABLE));
-        assertFalse(region.straight(region.locate(Place.of(2.15, 2.05)), right, Kind.JUMPABLE), "walks before it vaults");
+        assertFalse(
+                region.straight(region.locate(Place.of(2.15, 2.05)), right, Kind.JUMPABLE), "walks before it vaults");
         int[] targets = new int[Region.MAX_NEIGHBOURS];
         int[] directions = new int[Region.MAX_NEIGHBOURS];
         int edge = region.locate(Place.of(2.25, 2.05));

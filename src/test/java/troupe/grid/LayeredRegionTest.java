@@ -18,7 +18,8 @@ import troupe.scene.World;
 class LayeredRegionTest {
     private static final Actor ACTOR = Actor.standard("a");
 
-    private static Obstacle block(String id, double minX, double minY, double maxX, double maxY, double offset, double height) {
+    private static Obstacle block(
+            String id, double minX, double minY, double maxX, double maxY, double offset, double height) {
         return new Obstacle(id, "", Polygon.rectangle(minX, minY, maxX, maxY), offset, height, false, 20, "");
     }
 

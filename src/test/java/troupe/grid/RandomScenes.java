@@ -113,7 +113,9 @@ public final class RandomScenes {
     }
 
     private Polygon shape(double size) {
-        return random.nextBoolean() ? bar(size * random.nextDouble() + 0.2, size * random.nextDouble() + 0.2) : star(size);
+        return random.nextBoolean()
+                ? bar(size * random.nextDouble() + 0.2, size * random.nextDouble() + 0.2)
+                : star(size);
     }
 
     /** Makes a rectangle of the given sides at a random place, half the time turned. */
