@@ -71,10 +71,12 @@ class CrossingTest {
         int edge = region.locate(Place.of(2.25, 2.05));
         assertFalse(region.plain(edge));
         int n = region.neighbours(edge, targets, directions);
-        assertTrue(targets[0] >= region.spanCount() && directions[0] == 0, "a crossing lies to the east");
-        assertEquals(Kind.JUMPABLE, region.kind(targets[0]));
-        assertEquals(Ability.VAULT.bit(), region.abilities(targets[0]));
-        assertEquals(8, n);
+        assertEquals(11, n, "eight places beside the wall, three of them to the east also crossings");
+        assertEquals(edge + 1, targets[0], "where one can still sidestep");
+        assertEquals(Kind.JUMPABLE, region.kind(targets[1]));
+        assertEquals(0, directions[1]);
+        assertEquals(Ability.VAULT.bit(), region.abilities(targets[1]));
+        assertEquals(edge + 1, region.cell(targets[1]));
     }
 
     @Test
