@@ -7,7 +7,8 @@ import troupe.scene.Scene;
 
 /**
  * Builds the configurations of one actor profile in the paper's stages, one call each, so that each can
- * be timed: {@link #layers} and then {@link #region}. {@link #region} runs what has not been run.
+ * be timed: {@link #layers} and then {@link #region}. Each runs once, and first what it needs. An instance
+ * belongs to one thread; what it hands out is immutable.
  *
  * <p>Source: Unified sections 3, 5 and 7; deviations are listed in {@code docs/grid.md}.
  */
@@ -17,6 +18,7 @@ public final class RegionBuilder {
     private final GridFrame frame;
     private Columns columns;
     private Spans spans;
+    private Layers layers;
     private Region region;
 
     /** Makes a builder for an actor that has already lost the abilities which preferences switch off. */
@@ -33,6 +35,14 @@ public final class RegionBuilder {
             spans = new Spans(frame, columns, smallestBody());
         }
         return spans;
+    }
+
+    /** Numbers the layers of the spans. Cost O(spans). */
+    public Layers layers() {
+        if (layers == null) {
+            layers = new Layers(spans(), actor.stepHeight(), smallestBody());
+        }
+        return layers;
     }
 
     private double smallestBody() {

@@ -47,6 +47,19 @@ class LayeredRegionTest {
     }
 
     @Test
+    void deckAndStairsAreOneLayerWithTheGroundExceptUnderTheDeck() {
+        RegionBuilder builder = new RegionBuilder(bridge(), ACTOR);
+        Layers layers = builder.layers();
+        Region region = builder.region();
+        assertEquals(0, layers.layer(region.locate(Place.of(0.25, 0.25))));
+        assertEquals(0, layers.lowest(0));
+        int under = layers.layer(region.locate(Place.of(6, 2.75)));
+        int over = layers.layer(region.locate(Place.of(6, 2.75, 2)));
+        assertTrue(under != over);
+        assertEquals(2.2, layers.highest(over), 1e-12);
+    }
+
+    @Test
     void stairsLeadOntoTheOtherSheetOfTheDeck() {
         Region region = Region.of(bridge(), ACTOR);
         int top = region.locate(Place.of(3.75, 2.75));
