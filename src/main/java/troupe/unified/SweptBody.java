@@ -6,6 +6,7 @@ import java.util.List;
 import troupe.geometry.Box;
 import troupe.geometry.Polygon;
 import troupe.geometry.Segments;
+import troupe.scene.Ability;
 import troupe.scene.Actor;
 import troupe.scene.Obstacle;
 import troupe.scene.Scene;
@@ -42,6 +43,11 @@ final class SweptBody {
                 && insideWorld(line.bx(), line.by(), radius)
                 && clearsObstacles(line, floor, radius)
                 && clearsGround(line, floor, radius);
+    }
+
+    /** Returns the radius in metres of the bounding volume of an ability. */
+    double radius(Ability ability) {
+        return ability == Ability.SIDESTEP ? actor.sidestep().orElseThrow().radius() : actor.walk().radius();
     }
 
     /** Tells whether the foot disc, carried along the line, rests on {@code floor} everywhere. */

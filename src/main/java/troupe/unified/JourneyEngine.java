@@ -1,0 +1,202 @@
+package troupe.unified;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import troupe.grid.Region;
+import troupe.grid.RegionBuilder;
+import troupe.run.Engine;
+import troupe.run.FrameRecorder;
+import troupe.run.Frames;
+import troupe.run.Overlay;
+import troupe.run.Run;
+import troupe.scene.Ability;
+import troupe.scene.Actor;
+import troupe.scene.Journey;
+import troupe.scene.Ordering;
+import troupe.scene.Scene;
+import troupe.search.Outcome;
+
+/**
+ * Plans a journey: layers, region, where the ordering asks for it NF2, the search, and then the motion of
+ * the actor along the smoothed way. If there is no way it finds out what a person could change.
+ *
+ * <p>A unit of work is an expansion of the search, those for the cost to go included, or the trial of one
+ * change. What comes before the search is done in the first step and costs no work. The times in the report
+ * are wall time; everything else depends on scene and journey only.
+ */
+public final class JourneyEngine implements Engine {
+    private final Scene scene;
+    private final Journey journey;
+    private final Actor actor;
+    private final JourneyCosts costs;
+    private final StageTimes times = new StageTimes();
+
+    private Outcome outcome = Outcome.RUNNING;
+    private Region region;
+    private Standpoint start;
+    private Standpoint goal;
+    private JourneySearch search;
+    private JourneyPath path;
+    private Separation separation;
+    private Motion.Recorded motion;
+    private long trials;
+
+    private JourneyEngine(Scene scene, Journey journey, Actor actor) {
+        this.scene = scene;
+        this.journey = journey;
+        this.actor = actor;
+        this.costs = new JourneyCosts(actor, journey.preferences(), scene.world().cell());
+        this.motion = new Motion.Recorded(new FrameRecorder(Motion.RATE, Motion.channels(actor.id())).frames(), List.of());
+    }
+
+    /**
+     * Prepares a journey of a scene; no work is done yet.
+     *
+     * @throws IllegalArgumentException if the scene lacks the actor, or the preferences take away walking
+     */
+    public static JourneyEngine of(Scene scene, Journey journey) {
+        Actor whole = scene.actor(journey.actor())
+                .orElseThrow(() -> new IllegalArgumentException("journey '" + journey.id() + "' is of the actor '"
+                        + journey.actor() + "'; needs the id of an actor of the scene"));
+        Set<Ability> off = Stream.of(Ability.values())
+                .filter(a -> !journey.preferences().allows(a))
+                .collect(Collectors.toSet());
+        return new JourneyEngine(scene, journey, whole.without(off));
+    }
+
+    @Override
+    public Outcome step(long budget) {
+        if (budget < 1) {
+            throw new IllegalArgumentException("budget=" + budget + "; needs at least 1");
+        }
+        if (region == null && outcome.isRunning()) {
+            prepare();
+        }
+        long left = budget;
+        while (left > 0 && outcome.isRunning()) {
+            left -= separation == null ? searchOn(left) : explainOn();
+        }
+        return outcome;
+    }
+
+    private void prepare() {
+        RegionBuilder builder = new RegionBuilder(scene, actor);
+        times.measure(StageTimes.LAYERS, builder::layers);
+        times.measure(StageTimes.REGION, () -> region = builder.region());
+        start = Standpoint.at(region, scene, journey.start(), "start");
+        goal = Standpoint.at(region, scene, journey.goal(), "goal");
+        if (start.configuration() < 0 || goal.configuration() < 0) {
+            outcome = new Outcome.Infeasible(start.configuration() < 0 ? start.reason() : goal.reason());
+            return;
+        }
+        JourneyQuery.Potential potential = JourneyQuery.Potential.NONE;
+        if (journey.ordering() instanceof Ordering.Paper) {
+            throw new IllegalArgumentException("ordering=paper; needs the NF2 potential");
+        }
+        JourneyQuery query = new JourneyQuery(
+                start.configuration(),
+                goal.configuration(),
+                journey.ordering(),
+                potential,
+                journey.expansions());
+        times.measure(StageTimes.SEARCH, () -> search = new JourneySearch(new JourneyWorkspace(region), costs, query));
+    }
+
+    private long searchOn(long budget) {
+        long before = searched();
+        times.measure(StageTimes.SEARCH, () -> search.step(budget));
+        if (search.outcome() instanceof Outcome.Infeasible) {
+            separation = new Separation(scene, journey, region, start.configuration(), goal.configuration());
+            endIfExplained();
+        } else {
+            if (search.outcome().isFound()) {
+                path = search.path().orElseThrow();
+                travel();
+            }
+            outcome = search.outcome();
+        }
+        return Math.max(1, searched() - before);
+    }
+
+    private void travel() {
+        RouteBuilder builder = new RouteBuilder(region, costs, new SweptBody(scene, actor));
+        motion = new Motion(actor, builder.route(path)).record();
+    }
+
+    private long explainOn() {
+        separation.step();
+        trials++;
+        endIfExplained();
+        return 1;
+    }
+
+    private void endIfExplained() {
+        if (separation.isDone()) {
+            outcome = new Outcome.Infeasible(separation.reason());
+        }
+    }
+
+    private long searched() {
+        return search == null ? 0 : search.expanded() + search.estimated();
+    }
+
+    @Override
+    public Outcome outcome() {
+        return outcome;
+    }
+
+    @Override
+    public void cancel() {
+        if (outcome.isRunning()) {
+            outcome = Outcome.CANCELLED;
+        }
+    }
+
+    @Override
+    public Progress progress() {
+        return new Progress(searched() + trials, outcome.isRunning() ? Double.NaN : 1);
+    }
+
+    @Override
+    public List<Overlay> overlays() {
+        List<Overlay> views = new ArrayList<>();
+        if (search != null) {
+            views.addAll(SearchEffort.of(region, search));
+        }
+        return List.copyOf(views);
+    }
+
+    /** Returns the region that is searched, empty before the first step. */
+    public Optional<Region> region() {
+        return Optional.ofNullable(region);
+    }
+
+    /** Returns the way over the grid, empty unless one was found. */
+    public Optional<JourneyPath> path() {
+        return Optional.ofNullable(path);
+    }
+
+    @Override
+    public Run run() {
+        Frames frames = motion.frames();
+        JourneyReport report = new JourneyReport(times, frames, motion.legs());
+        if (search != null) {
+            report.searched(search.expanded(), search.generated());
+        }
+        if (path != null) {
+            report.found(path);
+        }
+        if (separation != null) {
+            report.separated(separation.reachedArea(), separation.blockedBy(), separation.wouldHelp());
+        } else if (outcome instanceof Outcome.Infeasible) {
+            List<String> ids = new ArrayList<>(start.blockedBy());
+            ids.addAll(goal.blockedBy());
+            report.separated(0, ids.stream().distinct().toList(), List.of());
+        }
+        return new Run(scene, journey.id(), outcome, report.build(), frames, motion.legs(), List.of());
+    }
+}

@@ -1,0 +1,168 @@
+package troupe.unified;
+
+import static org.junit.jupiter.api.Assertions.fail;
+
+import troupe.geometry.Polygon;
+import troupe.run.Frames;
+import troupe.run.Run;
+import troupe.scene.Ability;
+import troupe.scene.Actor;
+import troupe.scene.Ditch;
+import troupe.scene.Obstacle;
+import troupe.scene.Scene;
+
+/**
+ * Replays a run against the polygons with code of its own: in every frame the body's cylinder meets no
+ * solid, and the feet stand on something. Steps of the grid that smoothing had to keep may come nearer by
+ * what it documents.
+ */
+final class RunCheck {
+    private static final double SLACK = 1e-6;
+    private static final int ROUND = 24;
+
+    private final Scene scene;
+    private final Actor actor;
+    private final Frames frames;
+    private final Run run;
+    private final String which;
+
+    private RunCheck(Run run, Actor actor, String which) {
+        this.scene = run.scene();
+        this.actor = actor;
+        this.frames = run.frames();
+        this.run = run;
+        this.which = which;
+    }
+
+    /** Fails with the frame and what it meets if the run collides anywhere. */
+    static void assertCollisionFree(Run run, Actor actor, String which) {
+        RunCheck check = new RunCheck(run, actor, which);
+        for (int frame = 0; frame < run.frames().count(); frame++) {
+            check.frame(frame);
+        }
+    }
+
+    private void frame(int f) {
+        double x = frames.value(f, 0, 0);
+        double y = frames.value(f, 1, 0);
+        double z = frames.value(f, 2, 0);
+        switch (Ability.values()[(int) frames.value(f, 4, 0)]) {
+            case WALK -> standing(f, x, y, z, actor.walk().radius());
+            case SIDESTEP -> standing(f, x, y, z, actor.sidestep().orElseThrow().radius());
+            case STRIDE -> striding(f, x, y, z);
+            case VAULT -> vaulting(f, x, y, z);
+            case MOVE -> fail(which + ": moves an obstacle");
+        }
+    }
+
+    private void standing(int f, double x, double y, double z, double radius) {
+        double least = least(radius);
+        solids(f, x, y, z + actor.stepHeight(), z + actor.bodyHeight(), least);
+        for (int k = 0; k < ROUND; k++) {
+            double cos = Math.cos(2 * Math.PI * k / ROUND);
+            double sin = Math.sin(2 * Math.PI * k / ROUND);
+            if (ground(x + least * cos, y + least * sin) > z + actor.stepHeight() + SLACK) {
+                fail(at(f, x, y, z) + " meets the wall of a ditch");
+            }
+            double foot = Math.max(0, least(actor.footRadius()) - SLACK);
+            double floor = floor(x + foot * cos, y + foot * sin, z + actor.stepHeight() + SLACK);
+            if (floor < z - actor.stepHeight() - SLACK) {
+                fail(at(f, x, y, z) + " stands over a drop to " + floor);
+            }
+        }
+    }
+
+    private void striding(int f, double x, double y, double z) {
+        double from = takeOff(f);
+        double low = Math.max(z, from) + actor.stepHeight();
+        solids(f, x, y, low, Math.min(z, from) + actor.bodyHeight(), actor.walk().radius());
+    }
+
+    private void vaulting(int f, double x, double y, double z) {
+        double from = takeOff(f);
+        Actor.Vault vault = actor.vault().orElseThrow();
+        for (Obstacle o : scene.obstacles()) {
+            boolean inTheWay = o.top() > from + actor.stepHeight() + SLACK
+                    && o.offset() < z + vault.bodyHeight() - SLACK
+                    && distance(o.outline(), x, y) < actor.walk().radius() - SLACK;
+            if (!inTheWay) {
+                continue;
+            }
+            if (o.top() < from + vault.minHeight() - SLACK || o.top() > from + vault.maxHeight() + SLACK) {
+                fail(at(f, x, y, z) + " vaults through " + o.id() + ", " + o.offset() + " to " + o.top());
+            }
+            if (o.outline().contains(x, y) && z < o.top() - SLACK) {
+                fail(at(f, x, y, z) + " vaults below the top of " + o.id() + " at " + o.top());
+            }
+        }
+    }
+
+    private double takeOff(int f) {
+        double time = f / frames.rate();
+        for (Run.Leg leg : run.legs()) {
+            if (time <= leg.end() + SLACK && time >= leg.begin() - SLACK && leg.ability().matches("stride|vault")) {
+                return leg.points().get(0)[2];
+            }
+        }
+        throw new AssertionError(which + ": frame " + f + " is in no crossing");
+    }
+
+    /** What is left of a radius on a step of the grid whose ends keep it. */
+    private double least(double radius) {
+        double half = scene.world().cell() * Math.sqrt(0.5);
+        return radius > half ? Math.sqrt(radius * radius - half * half) : 0;
+    }
+
+    private void solids(int f, double x, double y, double low, double high, double radius) {
+        for (Obstacle o : scene.obstacles()) {
+            if (o.top() > low + SLACK && o.offset() < high - SLACK) {
+                double distance = distance(o.outline(), x, y);
+                if (distance < radius - SLACK || o.outline().contains(x, y)) {
+                    fail(at(f, x, y, low - actor.stepHeight()) + " is " + distance + " m from " + o.id());
+                }
+            }
+        }
+        double edge = Math.min(
+                Math.min(x, y),
+                Math.min(scene.world().width() - x, scene.world().depth() - y));
+        if (edge < radius - SLACK) {
+            fail(at(f, x, y, low - actor.stepHeight()) + " is " + edge + " m from the edge of the world");
+        }
+    }
+
+    private double ground(double x, double y) {
+        double ground = 0;
+        for (Ditch d : scene.ditches()) {
+            ground = d.outline().contains(x, y) ? Math.min(ground, -d.depth()) : ground;
+        }
+        return ground;
+    }
+
+    private double floor(double x, double y, double reach) {
+        double floor = ground(x, y);
+        for (Obstacle o : scene.obstacles()) {
+            floor = o.top() <= reach && o.outline().contains(x, y) ? Math.max(floor, o.top()) : floor;
+        }
+        return floor;
+    }
+
+    private static double distance(Polygon p, double x, double y) {
+        if (p.contains(x, y)) {
+            return 0;
+        }
+        double least = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < p.size(); i++) {
+            int j = (i + 1) % p.size();
+            double ex = p.x(j) - p.x(i);
+            double ey = p.y(j) - p.y(i);
+            double share = ((x - p.x(i)) * ex + (y - p.y(i)) * ey) / (ex * ex + ey * ey);
+            double t = Math.max(0, Math.min(1, share));
+            least = Math.min(least, Math.hypot(x - p.x(i) - t * ex, y - p.y(i) - t * ey));
+        }
+        return least;
+    }
+
+    private String at(int f, double x, double y, double z) {
+        return which + ", frame " + f + " at (" + x + ", " + y + ", " + z + ")";
+    }
+}
