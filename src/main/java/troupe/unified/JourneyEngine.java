@@ -49,8 +49,10 @@ public final class JourneyEngine implements Engine {
         this.scene = scene;
         this.journey = journey;
         this.actor = actor;
-        this.costs = new JourneyCosts(actor, journey.preferences(), scene.world().cell());
-        this.motion = new Motion.Recorded(new FrameRecorder(Motion.RATE, Motion.channels(actor.id())).frames(), List.of());
+        this.costs =
+                new JourneyCosts(actor, journey.preferences(), scene.world().cell());
+        this.motion =
+                new Motion.Recorded(new FrameRecorder(Motion.RATE, Motion.channels(actor.id())).frames(), List.of());
     }
 
     /**
@@ -98,11 +100,7 @@ public final class JourneyEngine implements Engine {
             throw new IllegalArgumentException("ordering=paper; needs the NF2 potential");
         }
         JourneyQuery query = new JourneyQuery(
-                start.configuration(),
-                goal.configuration(),
-                journey.ordering(),
-                potential,
-                journey.expansions());
+                start.configuration(), goal.configuration(), journey.ordering(), potential, journey.expansions());
         times.measure(StageTimes.SEARCH, () -> search = new JourneySearch(new JourneyWorkspace(region), costs, query));
     }
 

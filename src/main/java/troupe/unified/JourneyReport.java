@@ -80,7 +80,8 @@ final class JourneyReport {
     private List<String> abilities() {
         List<String> used = new ArrayList<>();
         for (Run.Leg leg : legs) {
-            if (leg.points().size() > 1 && (used.isEmpty() || !used.get(used.size() - 1).equals(leg.ability()))) {
+            if (leg.points().size() > 1
+                    && (used.isEmpty() || !used.get(used.size() - 1).equals(leg.ability()))) {
                 used.add(leg.ability());
             }
         }

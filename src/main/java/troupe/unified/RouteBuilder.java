@@ -56,10 +56,7 @@ final class RouteBuilder {
 
     private Stretch standing(int[] part, Ability ability) {
         return new Stretch(
-                ability,
-                "",
-                metres(part) * costs.energy(ability),
-                new Smoothing(region, body).smoothed(part, ability));
+                ability, "", metres(part) * costs.energy(ability), new Smoothing(region, body).smoothed(part, ability));
     }
 
     private Stretch crossing(int[] part, Ability ability) {

@@ -21,7 +21,7 @@ final class SearchEffort {
         for (float count : labels) {
             most = count > most ? count : most;
         }
-        return List.of(new Overlay.Field(
-                "effort", 0, region.frame(), labels, new Overlay.Continuous("labels", 0, most, 0)));
+        return List.of(
+                new Overlay.Field("effort", 0, region.frame(), labels, new Overlay.Continuous("labels", 0, most, 0)));
     }
 }

@@ -214,8 +214,8 @@ final class Separation {
         if (start < 0 || goal < 0 || !other.open(start) || !other.open(goal)) {
             return false;
         }
-        JourneyCosts costs = new JourneyCosts(
-                equipped, Preferences.NEUTRAL, changed.world().cell());
+        JourneyCosts costs =
+                new JourneyCosts(equipped, Preferences.NEUTRAL, changed.world().cell());
         JourneySearch search = new JourneySearch(
                 new JourneyWorkspace(other),
                 costs,
@@ -249,13 +249,15 @@ final class Separation {
         }
         Set<String> changes = new LinkedHashSet<>();
         if (!blockers.isEmpty()) {
-            changes.add("without " + blockers.stream().map(e -> "'" + e.name() + "'").collect(Collectors.joining(" or ")));
+            changes.add("without "
+                    + blockers.stream().map(e -> "'" + e.name() + "'").collect(Collectors.joining(" or ")));
         }
         if (!helpful.isEmpty()) {
             changes.add("with "
                     + helpful.stream().map(Ability::key).collect(Collectors.joining(together ? " and " : " or ")));
         }
-        String reached = String.format(Locale.ROOT, "no path: the start reaches %.1f m², but not the goal; ", reachedArea);
+        String reached =
+                String.format(Locale.ROOT, "no path: the start reaches %.1f m², but not the goal; ", reachedArea);
         return reached
                 + (changes.isEmpty()
                         ? "no single obstacle or ability makes the difference"

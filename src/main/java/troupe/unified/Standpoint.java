@@ -28,7 +28,8 @@ record Standpoint(int configuration, String reason, List<String> blockedBy) {
         Actor actor = region.actor();
         double floor = q >= 0 ? region.elevation(q) : place.z().orElse(0);
         Optional<Obstacle> nearest = nearest(scene, actor, place, floor);
-        double distance = nearest.map(o -> o.outline().distance(place.x(), place.y())).orElse(Double.POSITIVE_INFINITY);
+        double distance =
+                nearest.map(o -> o.outline().distance(place.x(), place.y())).orElse(Double.POSITIVE_INFINITY);
         List<String> ids = nearest.map(o -> List.of(o.id())).orElse(List.of());
         if (distance == 0) {
             return new Standpoint(-1, where + "lies in '" + nearest.get().name() + "'", ids);
@@ -36,7 +37,8 @@ record Standpoint(int configuration, String reason, List<String> blockedBy) {
         if (q < 0) {
             return new Standpoint(-1, where + "has no floor with room for the actor", List.of());
         }
-        double radius = actor.sidestep().map(s -> Math.min(s.radius(), actor.walk().radius()))
+        double radius = actor.sidestep()
+                .map(s -> Math.min(s.radius(), actor.walk().radius()))
                 .orElse(actor.walk().radius());
         if (distance < radius + region.frame().cell()) {
             return new Standpoint(-1, where + "is too near to '" + nearest.get().name() + "'", ids);

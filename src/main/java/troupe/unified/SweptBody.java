@@ -47,7 +47,9 @@ final class SweptBody {
 
     /** Returns the radius in metres of the bounding volume of an ability. */
     double radius(Ability ability) {
-        return ability == Ability.SIDESTEP ? actor.sidestep().orElseThrow().radius() : actor.walk().radius();
+        return ability == Ability.SIDESTEP
+                ? actor.sidestep().orElseThrow().radius()
+                : actor.walk().radius();
     }
 
     /** Tells whether the foot disc, carried along the line, rests on {@code floor} everywhere. */

@@ -75,7 +75,13 @@ final class RunCheck {
     private void striding(int f, double x, double y, double z) {
         double from = takeOff(f);
         double low = Math.max(z, from) + actor.stepHeight();
-        solids(f, x, y, low, Math.min(z, from) + actor.bodyHeight(), actor.walk().radius());
+        solids(
+                f,
+                x,
+                y,
+                low,
+                Math.min(z, from) + actor.bodyHeight(),
+                actor.walk().radius());
     }
 
     private void vaulting(int f, double x, double y, double z) {
@@ -100,7 +106,9 @@ final class RunCheck {
     private double takeOff(int f) {
         double time = f / frames.rate();
         for (Run.Leg leg : run.legs()) {
-            if (time <= leg.end() + SLACK && time >= leg.begin() - SLACK && leg.ability().matches("stride|vault")) {
+            if (time <= leg.end() + SLACK
+                    && time >= leg.begin() - SLACK
+                    && leg.ability().matches("stride|vault")) {
                 return leg.points().get(0)[2];
             }
         }
