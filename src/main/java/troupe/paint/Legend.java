@@ -6,9 +6,11 @@ import java.awt.Dimension;
 import java.awt.Font;
 import java.awt.FontMetrics;
 import java.awt.Graphics2D;
+import java.awt.geom.AffineTransform;
 import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.geom.RoundRectangle2D;
+import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -121,11 +123,12 @@ public final class Legend {
         ColourMap map = new ColourMap(theme);
         String unit = scale.unit().isEmpty() ? "" : " " + scale.unit();
         String text = name + ", " + number(scale.min()) + " to " + number(scale.max()) + unit;
+        BufferedImage colours = new BufferedImage(BAR, 1, BufferedImage.TYPE_INT_ARGB);
+        for (int x = 0; x < BAR; x++) {
+            colours.setRGB(x, 0, map.argb(x / (BAR - 1.0)));
+        }
         Sample sample = g -> {
-            for (int x = 0; x < BAR; x++) {
-                g.setColor(new Color(map.argb(x / (BAR - 1.0))));
-                g.fill(new Rectangle2D.Double(x, -5, 1, 10));
-            }
+            g.drawImage(colours, new AffineTransform(1, 0, 0, 10, 0, -5), null);
             g.setColor(theme.color(Tone.LINE));
             g.setStroke(Theme.line(1));
             g.draw(new Rectangle2D.Double(-0.5, -5.5, BAR + 1, 11));
@@ -134,13 +137,14 @@ public final class Legend {
     }
 
     private static Entry swatch(Theme theme, CategoryLook look, String name) {
-        Sample sample = g -> {
-            for (int y = 0; y < 12; y++) {
-                for (int x = 0; x < 24; x++) {
-                    g.setColor(new Color(look.argb(x, y), true));
-                    g.fill(new Rectangle2D.Double(x, y - 6, 1, 1));
-                }
+        BufferedImage tile = new BufferedImage(24, 12, BufferedImage.TYPE_INT_ARGB);
+        for (int y = 0; y < 12; y++) {
+            for (int x = 0; x < 24; x++) {
+                tile.setRGB(x, y, look.argb(x, y));
             }
+        }
+        Sample sample = g -> {
+            g.drawImage(tile, new AffineTransform(1, 0, 0, 1, 0, -6), null);
             g.setColor(theme.color(Tone.DIM, 0.6));
             g.setStroke(Theme.line(1));
             g.draw(new Rectangle2D.Double(-0.5, -6.5, 25, 13));

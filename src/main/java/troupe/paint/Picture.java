@@ -116,14 +116,7 @@ public record Picture(
 
     /** Returns the picture laid out for {@code width} pixels and drawn {@code density} times as large, from 1 to 4. */
     public BufferedImage image(int width, double density) {
-        if (!(density >= 1 && density <= 4)) {
-            throw new IllegalArgumentException("density " + density + "; needs 1 to 4");
-        }
-        Dimension size = size(width);
-        BufferedImage image = new BufferedImage(
-                (int) Math.round(size.width * density),
-                (int) Math.round(size.height * density),
-                BufferedImage.TYPE_INT_RGB);
+        BufferedImage image = blank(width, density);
         Graphics2D g = image.createGraphics();
         g.scale(density, density);
         paint(g, width);
@@ -131,24 +124,54 @@ public record Picture(
         return image;
     }
 
+    /** Returns an image of the size that the picture takes. */
+    BufferedImage blank(int width, double density) {
+        if (!(density >= 1 && density <= 4)) {
+            throw new IllegalArgumentException("density " + density + "; needs 1 to 4");
+        }
+        Dimension size = size(width);
+        return new BufferedImage(
+                (int) Math.round(size.width * density),
+                (int) Math.round(size.height * density),
+                BufferedImage.TYPE_INT_RGB);
+    }
+
     /** Paints the picture laid out for {@code width} pixels; its height is that of {@link #size}. */
     public void paint(Graphics2D graphics, int width) {
+        paint(graphics, width, true);
+        paintMoving(graphics, width, time);
+    }
+
+    /** Paints the picture without the actors. */
+    void paintStill(Graphics2D graphics, int width) {
+        paint(graphics, width, false);
+    }
+
+    /** Paints the actors as they stand at {@code seconds}. */
+    void paintMoving(Graphics2D graphics, int width, double seconds) {
+        run.ifPresent(r -> new RunPainter(r, theme).paintActors(graphics, view(width), seconds));
+    }
+
+    private Viewport view(int width) {
         Dimension size = size(width);
-        int footer = footer(width);
+        Box world = new Box(0, 0, scene.world().width(), scene.world().depth());
+        double height = size.height - 2.0 * MARGIN - GAP - footer(width);
+        return Viewport.fit(world, MARGIN, MARGIN, size.width - 2.0 * MARGIN, height);
+    }
+
+    private void paint(Graphics2D graphics, int width, boolean avoidActors) {
+        Dimension size = size(width);
         Graphics2D g = Shapes.smooth(graphics);
         g.setColor(theme.color(Tone.CANVAS));
         g.fillRect(0, 0, size.width, size.height);
-        Box world = new Box(0, 0, scene.world().width(), scene.world().depth());
-        Viewport view = Viewport.fit(
-                world, MARGIN, MARGIN, size.width - 2.0 * MARGIN, size.height - 2.0 * MARGIN - GAP - footer);
-        paintScene(g, view);
-        int top = size.height - MARGIN - footer;
-        legend().paint(g, MARGIN, top, legendWidth(width));
+        Viewport view = view(width);
+        paintScene(g, view, avoidActors);
+        legend().paint(g, MARGIN, size.height - MARGIN - footer(width), legendWidth(width));
         ScaleBar.paint(g, view, theme, size.width - MARGIN - 2, size.height - MARGIN - 2);
         g.dispose();
     }
 
-    private void paintScene(Graphics2D g, Viewport view) {
+    private void paintScene(Graphics2D g, Viewport view, boolean avoidActors) {
         ScenePainter painter = new ScenePainter(scene, theme).upTo(elevation);
         Labels labels = new Labels();
         painter.paintGround(g, view);
@@ -170,16 +193,13 @@ public record Picture(
         runPainter.ifPresent(p -> {
             p.paintLegs(g, view);
             p.paintEnds(g, view);
-            p.takeRoom(labels, view, time);
+            p.takeRoom(labels, view, avoidActors ? time : Double.NaN);
         });
         if (run.isEmpty() && scene.tasks().stream().findFirst().orElse(null) instanceof Journey journey) {
             TaskPainter.paint(g, scene, journey, view, theme);
             TaskPainter.take(labels, journey, view);
         }
         painter.paintLabels(g, view, labels);
-        runPainter.ifPresent(p -> {
-            p.paintPills(g, view, labels);
-            p.paintActors(g, view, time);
-        });
+        runPainter.ifPresent(p -> p.paintPills(g, view, labels));
     }
 }

@@ -88,7 +88,10 @@ public final class RunPainter {
         }
     }
 
-    /** Takes the room of the path, its ends and the actors at a time, so that text keeps away from them. */
+    /**
+     * Takes the room of the path, its ends and the actors at {@code time} seconds (NaN: at no time), so that
+     * text keeps away from them.
+     */
     public void takeRoom(Labels labels, Viewport view, double time) {
         if (run.scene().task(run.task()).orElse(null) instanceof Journey journey) {
             TaskPainter.take(labels, journey, view);
@@ -96,7 +99,7 @@ public final class RunPainter {
         for (double[] p : pixels(legs, view)) {
             labels.take(new Rectangle2D.Double(p[0] - 1, p[1] - 1, 2, 2));
         }
-        if (run.frames().count() > 0) {
+        if (run.frames().count() > 0 && !Double.isNaN(time)) {
             int frame = Track.frameAt(run.frames(), time);
             for (Track track : tracks) {
                 double r = radius(track, view);

@@ -1,0 +1,76 @@
+package troupe.exchange;
+
+import java.util.List;
+import troupe.paint.Picture;
+import troupe.paint.Theme;
+import troupe.run.Overlay;
+import troupe.run.Run;
+
+/**
+ * Says how a run is to be exported; a format takes what concerns it.
+ *
+ * @param time the instant of a single picture, in seconds from 0; later than the end means the end
+ * @param width width of a picture in pixels, {@value Picture#MIN_WIDTH} to {@value Picture#MAX_WIDTH}
+ * @param density pixels of the image for each pixel of the layout, from 1 to 4
+ * @param rate pictures for each second of an animation, above 0 and at most 50
+ * @param overlays views to lay over the scene
+ */
+public record ExportSettings(
+        double time, int width, double density, double rate, Theme theme, List<Overlay> overlays) {
+
+    /** The start of the run, 900 pixels wide, light, 10 pictures a second. */
+    public static final ExportSettings DEFAULT = new ExportSettings(0, 900, 1, 10, Theme.LIGHT, List.of());
+
+    /**
+     * Checks the numbers and copies the overlays.
+     *
+     * @throws IllegalArgumentException naming the value and its range
+     */
+    public ExportSettings {
+        require(time >= 0 && time < 1e9, "time=" + time + "; needs seconds from 0");
+        require(
+                width >= Picture.MIN_WIDTH && width <= Picture.MAX_WIDTH,
+                "width=" + width + "; needs " + Picture.MIN_WIDTH + " to " + Picture.MAX_WIDTH + " pixels");
+        require(density >= 1 && density <= 4, "density=" + density + "; needs 1 to 4");
+        require(rate > 0 && rate <= 50, "rate=" + rate + "; needs above 0, at most 50 pictures a second");
+        overlays = List.copyOf(overlays);
+    }
+
+    private static void require(boolean right, String wrong) {
+        if (!right) {
+            throw new IllegalArgumentException(wrong);
+        }
+    }
+
+    /** Returns these settings for another instant. */
+    public ExportSettings at(double seconds) {
+        return new ExportSettings(seconds, width, density, rate, theme, overlays);
+    }
+
+    /** Returns these settings for another width in pixels. */
+    public ExportSettings wide(int pixels) {
+        return new ExportSettings(time, pixels, density, rate, theme, overlays);
+    }
+
+    /** Returns these settings for another theme. */
+    public ExportSettings in(Theme other) {
+        return new ExportSettings(time, width, density, rate, other, overlays);
+    }
+
+    /** Returns these settings for another number of pictures a second. */
+    public ExportSettings every(double perSecond) {
+        return new ExportSettings(time, width, density, perSecond, theme, overlays);
+    }
+
+    /** Returns these settings with other overlays. */
+    public ExportSettings with(List<Overlay> others) {
+        return new ExportSettings(time, width, density, rate, theme, others);
+    }
+
+    /** Returns the picture of a run at the instant of these settings. */
+    Picture picture(Run run) {
+        return Picture.of(run, Math.min(time, run.frames().duration()))
+                .with(theme)
+                .with(overlays);
+    }
+}

@@ -1,0 +1,90 @@
+package troupe.exchange;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import troupe.scene.Scene;
+
+/** Lists the formats that runs are written to and scenes are read from; one line registers a format. */
+public final class Formats {
+    private static final List<Exporter> EXPORTERS = List.of(
+            new CsvExport(), new SvgExport(), new ImageExport(), new ImagesExport(), new GifExport());
+    private static final List<Importer> IMPORTERS = List.of(new MapImport());
+
+    private Formats() {}
+
+    /** Returns all exporters, in the order of the documentation. */
+    public static List<Exporter> exporters() {
+        return EXPORTERS;
+    }
+
+    /** Returns all importers, in the order of the documentation. */
+    public static List<Importer> importers() {
+        return IMPORTERS;
+    }
+
+    /**
+     * Finds an exporter by its name.
+     *
+     * @throws IllegalArgumentException that lists the known names
+     */
+    public static Exporter exporter(String name) {
+        return EXPORTERS.stream()
+                .filter(e -> e.name().equals(name))
+                .findFirst()
+                .orElseThrow(() -> new IllegalArgumentException("format '" + name + "'; known are "
+                        + String.join(", ", EXPORTERS.stream().map(Exporter::name).toList())));
+    }
+
+    /** Finds the first exporter whose files end as {@code file} does. */
+    public static Optional<Exporter> exporterFor(Path file) {
+        return EXPORTERS.stream().filter(e -> endsWith(file, e.extension())).findFirst();
+    }
+
+    /**
+     * Finds an importer by its name.
+     *
+     * @throws IllegalArgumentException that lists the known names
+     */
+    public static Importer importer(String name) {
+        return IMPORTERS.stream()
+                .filter(i -> i.name().equals(name))
+                .findFirst()
+                .orElseThrow(() -> new IllegalArgumentException("format '" + name + "'; known are "
+                        + String.join(", ", IMPORTERS.stream().map(Importer::name).toList())));
+    }
+
+    /** Finds the first importer whose files end as {@code file} does. */
+    public static Optional<Importer> importerFor(Path file) {
+        return IMPORTERS.stream().filter(i -> endsWith(file, i.extension())).findFirst();
+    }
+
+    private static boolean endsWith(Path file, String extension) {
+        return String.valueOf(file.getFileName()).toLowerCase(Locale.ROOT).endsWith("." + extension);
+    }
+
+    /** Reads MovingAI maps. */
+    private static final class MapImport implements Importer {
+        @Override
+        public String name() {
+            return "movingai";
+        }
+
+        @Override
+        public String extension() {
+            return "map";
+        }
+
+        @Override
+        public String about() {
+            return "MovingAI grid map: exact cells, an actor that only walks";
+        }
+
+        @Override
+        public Scene read(Path file) throws IOException, ExchangeException {
+            return MovingAiMap.read(file).scene();
+        }
+    }
+}

@@ -1,0 +1,46 @@
+package troupe.exchange;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Locale;
+import troupe.paint.Animation;
+import troupe.run.Run;
+
+/** Writes all of a run as numbered PNG pictures: {@code NAME-00000.png}, {@code NAME-00001.png}, … */
+public final class ImagesExport implements Exporter {
+
+    /** Makes the exporter. */
+    public ImagesExport() {}
+
+    @Override
+    public String name() {
+        return "pngs";
+    }
+
+    @Override
+    public String extension() {
+        return "png";
+    }
+
+    @Override
+    public String about() {
+        return "numbered pictures of the whole run, NAME-00000.png and on, for films";
+    }
+
+    @Override
+    public void write(Run run, ExportSettings settings, Path target) throws IOException, ExchangeException {
+        double[] instants = Instants.of(run, settings);
+        Animation animation = new Animation(settings.picture(run), settings.width(), settings.density());
+        for (int k = 0; k < instants.length; k++) {
+            double time = instants[k];
+            SafeFile.write(numbered(target, k), out -> ImageExport.write(animation.image(time), out));
+        }
+    }
+
+    /** Returns the path of picture {@code k}: the number goes before the ending. */
+    static Path numbered(Path target, int k) {
+        String file = String.valueOf(target.getFileName());
+        String stem = file.toLowerCase(Locale.ROOT).endsWith(".png") ? file.substring(0, file.length() - 4) : file;
+        return target.resolveSibling(String.format(Locale.ROOT, "%s-%05d.png", stem, k));
+    }
+}

@@ -1,0 +1,22 @@
+package troupe.exchange;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.Path;
+import troupe.run.Run;
+
+/** Writes a run in a format of one file, so that it can go to a stream too. */
+public interface StreamExporter extends Exporter {
+
+    /**
+     * Writes the run to a stream, which stays open. Nothing is written if the format cannot hold the run.
+     *
+     * @throws ExchangeException if the format cannot hold the run
+     */
+    void write(Run run, ExportSettings settings, OutputStream out) throws IOException, ExchangeException;
+
+    @Override
+    default void write(Run run, ExportSettings settings, Path target) throws IOException, ExchangeException {
+        SafeFile.write(target, out -> write(run, settings, out));
+    }
+}
