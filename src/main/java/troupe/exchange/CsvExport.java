@@ -63,7 +63,10 @@ public final class CsvExport implements StreamExporter {
                 double sum = track.x(frame) + track.y(frame) + track.z(frame) + track.headingRad(frame);
                 if (!Double.isFinite(sum)) {
                     throw new ExchangeException(
-                            "frame " + frame, 0, 0, "'" + track.id() + "' has a place that is not a number",
+                            "frame " + frame,
+                            0,
+                            0,
+                            "'" + track.id() + "' has a place that is not a number",
                             "plan the task again; a run like this cannot be exported");
                 }
             }

@@ -15,8 +15,7 @@ import troupe.run.Run;
  * @param rate pictures for each second of an animation, above 0 and at most 50
  * @param overlays views to lay over the scene
  */
-public record ExportSettings(
-        double time, int width, double density, double rate, Theme theme, List<Overlay> overlays) {
+public record ExportSettings(double time, int width, double density, double rate, Theme theme, List<Overlay> overlays) {
 
     /** The start of the run, 900 pixels wide, light, 10 pictures a second. */
     public static final ExportSettings DEFAULT = new ExportSettings(0, 900, 1, 10, Theme.LIGHT, List.of());

@@ -9,8 +9,8 @@ import troupe.scene.Scene;
 
 /** Lists the formats that runs are written to and scenes are read from; one line registers a format. */
 public final class Formats {
-    private static final List<Exporter> EXPORTERS = List.of(
-            new CsvExport(), new SvgExport(), new ImageExport(), new ImagesExport(), new GifExport());
+    private static final List<Exporter> EXPORTERS =
+            List.of(new CsvExport(), new SvgExport(), new ImageExport(), new ImagesExport(), new GifExport());
     private static final List<Importer> IMPORTERS = List.of(new MapImport());
 
     private Formats() {}
@@ -35,7 +35,8 @@ public final class Formats {
                 .filter(e -> e.name().equals(name))
                 .findFirst()
                 .orElseThrow(() -> new IllegalArgumentException("format '" + name + "'; known are "
-                        + String.join(", ", EXPORTERS.stream().map(Exporter::name).toList())));
+                        + String.join(
+                                ", ", EXPORTERS.stream().map(Exporter::name).toList())));
     }
 
     /** Finds the first exporter whose files end as {@code file} does. */
@@ -53,7 +54,8 @@ public final class Formats {
                 .filter(i -> i.name().equals(name))
                 .findFirst()
                 .orElseThrow(() -> new IllegalArgumentException("format '" + name + "'; known are "
-                        + String.join(", ", IMPORTERS.stream().map(Importer::name).toList())));
+                        + String.join(
+                                ", ", IMPORTERS.stream().map(Importer::name).toList())));
     }
 
     /** Finds the first importer whose files end as {@code file} does. */

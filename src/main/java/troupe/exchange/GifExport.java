@@ -48,7 +48,8 @@ public final class GifExport implements StreamExporter {
         double[] instants = Instants.of(run, settings);
         Animation animation = new Animation(settings.picture(run), settings.width(), settings.density());
         BufferedImage first = animation.image(0);
-        if ((long) first.getWidth() * first.getHeight() > MAX_PIXELS || Math.max(first.getWidth(), first.getHeight()) > 65_535) {
+        if ((long) first.getWidth() * first.getHeight() > MAX_PIXELS
+                || Math.max(first.getWidth(), first.getHeight()) > 65_535) {
             throw new ExchangeException(
                     "animation", 0, 0, first.getWidth() + " x " + first.getHeight() + " pixels", "lower the width");
         }
@@ -80,21 +81,32 @@ public final class GifExport implements StreamExporter {
         IIOMetadataNode root = new IIOMetadataNode(FORMAT);
         root.appendChild(node(
                 "ImageDescriptor",
-                "imageLeftPosition", box[0],
-                "imageTopPosition", box[1],
-                "imageWidth", box[2],
-                "imageHeight", box[3],
-                "interlaceFlag", "FALSE"));
+                "imageLeftPosition",
+                box[0],
+                "imageTopPosition",
+                box[1],
+                "imageWidth",
+                box[2],
+                "imageHeight",
+                box[3],
+                "interlaceFlag",
+                "FALSE"));
         root.appendChild(node(
                 "GraphicControlExtension",
-                "disposalMethod", "doNotDispose",
-                "userInputFlag", "FALSE",
-                "transparentColorFlag", "FALSE",
-                "delayTime", delay,
-                "transparentColorIndex", 0));
+                "disposalMethod",
+                "doNotDispose",
+                "userInputFlag",
+                "FALSE",
+                "transparentColorFlag",
+                "FALSE",
+                "delayTime",
+                delay,
+                "transparentColorIndex",
+                0));
         if (before == null) {
             IIOMetadataNode all = new IIOMetadataNode("ApplicationExtensions");
-            IIOMetadataNode loop = node("ApplicationExtension", "applicationID", "NETSCAPE", "authenticationCode", "2.0");
+            IIOMetadataNode loop =
+                    node("ApplicationExtension", "applicationID", "NETSCAPE", "authenticationCode", "2.0");
             loop.setUserObject(new byte[] {1, 0, 0});
             all.appendChild(loop);
             root.appendChild(all);
@@ -109,11 +121,7 @@ public final class GifExport implements StreamExporter {
                 box[2], box[3], BufferedImage.TYPE_BYTE_INDEXED, (IndexColorModel) image.getColorModel());
         part.getRaster()
                 .setDataElements(
-                        0,
-                        0,
-                        box[2],
-                        box[3],
-                        image.getRaster().getDataElements(box[0], box[1], box[2], box[3], null));
+                        0, 0, box[2], box[3], image.getRaster().getDataElements(box[0], box[1], box[2], box[3], null));
         return part;
     }
 

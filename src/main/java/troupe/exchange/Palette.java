@@ -130,8 +130,7 @@ final class Palette {
     /** Returns the image in the colours of this palette, each pixel in the nearest one of its bucket. */
     BufferedImage indexed(BufferedImage image) {
         int width = image.getWidth();
-        BufferedImage result =
-                new BufferedImage(width, image.getHeight(), BufferedImage.TYPE_BYTE_INDEXED, model);
+        BufferedImage result = new BufferedImage(width, image.getHeight(), BufferedImage.TYPE_BYTE_INDEXED, model);
         int[] row = new int[width];
         byte[] indices = new byte[width];
         for (int y = 0; y < image.getHeight(); y++) {

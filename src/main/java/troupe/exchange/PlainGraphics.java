@@ -417,8 +417,7 @@ abstract class PlainGraphics extends Graphics2D {
     }
 
     @Override
-    public boolean drawImage(
-            Image image, int x, int y, int width, int height, Color behind, ImageObserver observer) {
+    public boolean drawImage(Image image, int x, int y, int width, int height, Color behind, ImageObserver observer) {
         return drawImage(image, x, y, width, height, observer);
     }
 

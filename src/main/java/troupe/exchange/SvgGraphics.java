@@ -55,7 +55,10 @@ final class SvgGraphics extends PlainGraphics {
         StringBuilder text = new StringBuilder("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
         text.append("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"").append(width);
         text.append("\" height=\"").append(height).append("\" viewBox=\"0 0 ");
-        text.append(number(width * scale)).append(' ').append(number(height * scale)).append("\">\n");
+        text.append(number(width * scale))
+                .append(' ')
+                .append(number(height * scale))
+                .append("\">\n");
         text.append("<title>").append(escaped(title)).append("</title>\n");
         for (Map.Entry<String, Integer> clip : output.clips.entrySet()) {
             text.append("<clipPath id=\"clip").append(clip.getValue()).append("\"><path d=\"");
@@ -92,7 +95,9 @@ final class SvgGraphics extends PlainGraphics {
         begin("path").append(" d=\"").append(path).append("\" fill=\"none\"");
         colour("stroke");
         StringBuilder text = output.elements;
-        text.append(" stroke-width=\"").append(number(stroke.getLineWidth() * scale)).append('"');
+        text.append(" stroke-width=\"")
+                .append(number(stroke.getLineWidth() * scale))
+                .append('"');
         text.append(stroke.getEndCap() == BasicStroke.CAP_ROUND ? " stroke-linecap=\"round\"" : "");
         text.append(stroke.getLineJoin() == BasicStroke.JOIN_ROUND ? " stroke-linejoin=\"round\"" : "");
         if (stroke.getDashArray() != null) {
@@ -114,7 +119,8 @@ final class SvgGraphics extends PlainGraphics {
         begin("text").append(" transform=\"").append(matrix(getTransform())).append('"');
         StringBuilder text = output.elements;
         text.append(" x=\"").append(number(x)).append("\" y=\"").append(number(y));
-        text.append("\" font-family=\"sans-serif\" font-size=\"").append(number(getFont().getSize2D()));
+        text.append("\" font-family=\"sans-serif\" font-size=\"")
+                .append(number(getFont().getSize2D()));
         text.append(getFont().isBold() ? "\" font-weight=\"bold" : "");
         text.append("\" textLength=\"").append(number(width)).append("\" lengthAdjust=\"spacingAndGlyphs\"");
         colour("fill");
@@ -220,7 +226,10 @@ final class SvgGraphics extends PlainGraphics {
                 case '&' -> safe.append("&amp;");
                 case '"' -> safe.append("&quot;");
                 default -> {
-                    boolean known = c == '\t' || c == '\n' || c >= 0x20 && c <= 0xd7ff || c >= 0xe000 && c <= 0xfffd
+                    boolean known = c == '\t'
+                            || c == '\n'
+                            || c >= 0x20 && c <= 0xd7ff
+                            || c >= 0xe000 && c <= 0xfffd
                             || c >= 0x10000;
                     if (known) {
                         safe.appendCodePoint(c);
