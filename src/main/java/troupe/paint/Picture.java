@@ -152,6 +152,23 @@ public record Picture(
         run.ifPresent(r -> new RunPainter(r, theme).paintActors(graphics, view(width), seconds));
     }
 
+    /** Returns the pixels that the world takes in a picture of the given width. */
+    Rectangle2D sceneBox(int width) {
+        Viewport view = view(width);
+        return new Rectangle2D.Double(
+                view.px(0),
+                view.py(scene.world().depth()),
+                scene.world().width() * view.scale(),
+                scene.world().depth() * view.scale());
+    }
+
+    /** Returns the pixels that legend and scale bar may take in a picture of the given width. */
+    Rectangle2D footerBox(int width) {
+        Dimension size = size(width);
+        int footer = footer(width);
+        return new Rectangle2D.Double(0, size.height - MARGIN - footer, size.width, footer);
+    }
+
     private Viewport view(int width) {
         Dimension size = size(width);
         Box world = new Box(0, 0, scene.world().width(), scene.world().depth());
@@ -165,24 +182,21 @@ public record Picture(
         g.setColor(theme.color(Tone.CANVAS));
         g.fillRect(0, 0, size.width, size.height);
         Viewport view = view(width);
-        paintScene(g, view, avoidActors);
+        paintScene(g, width, avoidActors);
         legend().paint(g, MARGIN, size.height - MARGIN - footer(width), legendWidth(width));
         ScaleBar.paint(g, view, theme, size.width - MARGIN - 2, size.height - MARGIN - 2);
         g.dispose();
     }
 
-    private void paintScene(Graphics2D g, Viewport view, boolean avoidActors) {
+    private void paintScene(Graphics2D g, int width, boolean avoidActors) {
+        Viewport view = view(width);
         ScenePainter painter = new ScenePainter(scene, theme).upTo(elevation);
         Labels labels = new Labels();
         painter.paintGround(g, view);
         painter.paintObstacles(g, view);
         for (Overlay overlay : overlays) {
             Graphics2D inside = (Graphics2D) g.create();
-            inside.clip(new Rectangle2D.Double(
-                    view.px(0),
-                    view.py(scene.world().depth()),
-                    scene.world().width() * view.scale(),
-                    scene.world().depth() * view.scale()));
+            inside.clip(sceneBox(width));
             new OverlayPainter(overlay, theme, filled).paint(inside, view);
             inside.dispose();
             if (overlay instanceof Overlay.Field) {

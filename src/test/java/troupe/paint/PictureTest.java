@@ -1,0 +1,171 @@
+package troupe.paint;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.Graphics2D;
+import java.awt.image.BufferedImage;
+import java.io.File;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import troupe.run.Overlay;
+
+/**
+ * Compares pictures with stored ones, without text since fonts differ between machines. Run with
+ * {@code -Dtroupe.pictures=record} to store them anew after an intended change, and look at them.
+ */
+class PictureTest {
+    private static final int WIDTH = 240;
+    private static final File FOLDER = new File("src/test/resources/pictures");
+
+    /** A named picture without text. */
+    private record Case(String name, Theme theme) {
+        BufferedImage image() {
+            int height = 174;
+            BufferedImage image = new BufferedImage(WIDTH, height, BufferedImage.TYPE_INT_RGB);
+            Graphics2D g = image.createGraphics();
+            g.setColor(theme.color(Tone.CANVAS));
+            g.fillRect(0, 0, WIDTH, height);
+            Viewport view = new Viewport(-0.1, 13.1, 13.2);
+            ScenePainter scene = new ScenePainter(Sketch.scene(), theme);
+            scene.paintGround(g, view);
+            scene.paintObstacles(g, view);
+            RunPainter run = new RunPainter(Sketch.run(), theme);
+            switch (name) {
+                case "potential" -> new OverlayPainter(Sketch.potential(), theme).paint(g, view);
+                case "contours" -> new OverlayPainter(Sketch.potential(), theme, false).paint(g, view);
+                case "class" -> new OverlayPainter(Sketch.classes(), theme).paint(g, view);
+                case "skeleton" -> new OverlayPainter(Sketch.skeleton(), theme).paint(g, view);
+                case "trigger-points" -> new OverlayPainter(Sketch.triggers(), theme).paint(g, view);
+                case "run" -> {
+                    run.paintLegs(g, view);
+                    run.paintEnds(g, view);
+                    run.paintActors(g, view, 3.6);
+                }
+                default -> assertEquals("scene", name);
+            }
+            g.dispose();
+            return image;
+        }
+
+        File file() {
+            return new File(FOLDER, this + ".png");
+        }
+
+        @Override
+        public String toString() {
+            return name + "-" + theme.key();
+        }
+    }
+
+    static Stream<Case> cases() {
+        return Stream.of("scene", "run", "potential", "contours", "class", "skeleton", "trigger-points")
+                .flatMap(name -> Stream.of(Theme.values()).map(theme -> new Case(name, theme)));
+    }
+
+    @ParameterizedTest
+    @MethodSource("cases")
+    void looksLikeTheStoredPicture(Case picture) throws IOException {
+        BufferedImage now = picture.image();
+        if ("record".equals(System.getProperty("troupe.pictures"))) {
+            FOLDER.mkdirs();
+            ImageIO.write(now, "png", picture.file());
+        }
+        assertTrue(picture.file().isFile(), "no stored picture " + picture.file());
+        double difference = difference(ImageIO.read(picture.file()), now);
+        if (difference > 1) {
+            File actual = new File("target/pictures/" + picture + ".png");
+            actual.getParentFile().mkdirs();
+            ImageIO.write(now, "png", actual);
+        }
+        assertTrue(difference <= 1, "differs by " + difference + ", see target/pictures/" + picture + ".png");
+    }
+
+    @Test
+    void differentPicturesDoNotPass() {
+        List<BufferedImage> images = new ArrayList<>();
+        cases().forEach(c -> images.add(c.image()));
+        for (int i = 0; i < images.size(); i++) {
+            for (int j = 0; j < i; j++) {
+                double difference = difference(images.get(i), images.get(j));
+                assertTrue(difference > 1, "pictures " + j + " and " + i + " differ by " + difference + " only");
+            }
+        }
+    }
+
+    /**
+     * Returns how far two pictures are apart: 0 if equal, above 1 if the mean difference of a channel
+     * exceeds one level, or if one pixel in two thousand is plainly another colour.
+     */
+    private static double difference(BufferedImage a, BufferedImage b) {
+        if (a.getWidth() != b.getWidth() || a.getHeight() != b.getHeight()) {
+            return Double.POSITIVE_INFINITY;
+        }
+        long sum = 0;
+        int plain = 0;
+        for (int y = 0; y < a.getHeight(); y++) {
+            for (int x = 0; x < a.getWidth(); x++) {
+                int most = 0;
+                for (int shift = 0; shift <= 16; shift += 8) {
+                    int apart = Math.abs((a.getRGB(x, y) >> shift & 255) - (b.getRGB(x, y) >> shift & 255));
+                    sum += apart;
+                    most = Math.max(most, apart);
+                }
+                plain += most > 60 ? 1 : 0;
+            }
+        }
+        double pixels = a.getWidth() * a.getHeight();
+        return Math.max(sum / (3 * pixels), plain / pixels * 2_000);
+    }
+
+    @Test
+    void samePictureTwiceIsEqualPixelByPixel() {
+        Picture picture = Picture.of(Sketch.run(), 3.6).with(List.of(Sketch.classes(), Sketch.skeleton()));
+        assertArrayEquals(pixels(picture.image(500)), pixels(picture.image(500)));
+    }
+
+    @Test
+    void animationShowsTheSameActorsAsThePicture() {
+        Picture picture = Picture.of(Sketch.run(), 0).with(Theme.DARK);
+        Animation animation = new Animation(picture, 400, 1);
+        BufferedImage moving = animation.image(8);
+        BufferedImage still = animation.image(0);
+        assertFalse(java.util.Arrays.equals(pixels(moving), pixels(still)), "nothing moved");
+        assertArrayEquals(pixels(animation.image(8)), pixels(moving));
+        assertEquals(picture.size(400).height, moving.getHeight());
+    }
+
+    private static int[] pixels(BufferedImage image) {
+        return image.getRGB(0, 0, image.getWidth(), image.getHeight(), null, 0, image.getWidth());
+    }
+
+    @Test
+    void legendAndScaleNeverCoverTheScene() {
+        List<Overlay> overlays =
+                List.of(Sketch.potential(), Sketch.classes(), Sketch.skeleton(), Sketch.triggers());
+        Picture picture = Picture.of(Sketch.run(), 1).with(overlays);
+        for (int width = Picture.MIN_WIDTH; width < 1500; width += 41) {
+            assertTrue(picture.sceneBox(width).getMaxY() <= picture.footerBox(width).getMinY(), "at width " + width);
+            assertTrue(picture.sceneBox(width).getMinX() >= 0);
+            assertTrue(picture.footerBox(width).getMaxY() <= picture.size(width).height);
+        }
+    }
+
+    @Test
+    void refusesSizesThatMakeNoPicture() {
+        Picture picture = Picture.of(Sketch.scene());
+        assertThrows(IllegalArgumentException.class, () -> picture.image(0));
+        assertThrows(IllegalArgumentException.class, () -> picture.image(Picture.MAX_WIDTH + 1));
+        assertThrows(IllegalArgumentException.class, () -> picture.image(300, Double.NaN));
+        assertEquals(600, picture.image(300, 2).getWidth());
+    }
+}
