@@ -76,8 +76,7 @@ class ExportTest {
             }
         };
         Run sketch = Sketch.run();
-        return new Run(
-                sketch.scene(), sketch.task(), Outcome.FOUND, sketch.report(), frames, sketch.legs(), List.of());
+        return new Run(sketch.scene(), sketch.task(), Outcome.FOUND, sketch.report(), frames, sketch.legs(), List.of());
     }
 
     @Test
@@ -155,8 +154,10 @@ class ExportTest {
         g.drawString("a<b & \"c\"\u0001", 1, 2);
         String text = g.document("t", 30, 20, 1);
         assertTrue(text.contains("<clipPath id=\"clip1\"><path d=\"M10 0"), text);
-        assertTrue(text.contains("<g clip-path=\"url(#clip1)\"><path d=\"M10 0L30 0L30 20L10 20L10 0Z\" fill=\"#ff0000\""
-                + " fill-opacity=\"0.200\"/></g>"), text);
+        assertTrue(
+                text.contains("<g clip-path=\"url(#clip1)\"><path d=\"M10 0L30 0L30 20L10 20L10 0Z\" fill=\"#ff0000\""
+                        + " fill-opacity=\"0.200\"/></g>"),
+                text);
         assertTrue(text.contains(">a&lt;b &amp; &quot;c&quot;</text>"), text);
         assertEquals("-0.05", SvgGraphics.number(-0.046));
         assertEquals("12", SvgGraphics.number(11.999));
@@ -195,14 +196,14 @@ class ExportTest {
             assertEquals(31, reader.getNumImages(true));
             int hundredths = 0;
             BufferedImage shown = reader.read(0);
-            BufferedImage canvas =
-                    new BufferedImage(shown.getWidth(), shown.getHeight(), BufferedImage.TYPE_INT_RGB);
+            BufferedImage canvas = new BufferedImage(shown.getWidth(), shown.getHeight(), BufferedImage.TYPE_INT_RGB);
             for (int k = 0; k < 31; k++) {
-                IIOMetadataNode tree = (IIOMetadataNode)
-                        reader.getImageMetadata(k).getAsTree("javax_imageio_gif_image_1.0");
-                IIOMetadataNode control =
-                        (IIOMetadataNode) tree.getElementsByTagName("GraphicControlExtension").item(0);
-                IIOMetadataNode place = (IIOMetadataNode) tree.getElementsByTagName("ImageDescriptor").item(0);
+                IIOMetadataNode tree =
+                        (IIOMetadataNode) reader.getImageMetadata(k).getAsTree("javax_imageio_gif_image_1.0");
+                IIOMetadataNode control = (IIOMetadataNode)
+                        tree.getElementsByTagName("GraphicControlExtension").item(0);
+                IIOMetadataNode place = (IIOMetadataNode)
+                        tree.getElementsByTagName("ImageDescriptor").item(0);
                 hundredths += k < 30 ? Integer.parseInt(control.getAttribute("delayTime")) : 0;
                 canvas.getGraphics()
                         .drawImage(
@@ -256,21 +257,24 @@ class ExportTest {
     void aFileIsWrittenWholeOrNotAtAll() throws Exception {
         Path target = folder.resolve("x.txt");
         SafeFile.write(target, out -> out.write(65));
-        assertThrows(IOException.class, () -> SafeFile.write(target, out -> {
-            out.write(new byte[100_000]);
-            throw new IOException("disk full");
-        }));
+        assertThrows(
+                IOException.class,
+                () -> SafeFile.write(target, out -> {
+                    out.write(new byte[100_000]);
+                    throw new IOException("disk full");
+                }));
         assertEquals("A", Files.readString(target));
         assertEquals(1, files().length);
     }
 
     @Test
     void formatsAreFoundByNameAndEnding() {
-        assertEquals("gif", Formats.exporterFor(Path.of("a/b.GIF")).orElseThrow().name());
+        assertEquals(
+                "gif", Formats.exporterFor(Path.of("a/b.GIF")).orElseThrow().name());
         assertFalse(Formats.exporterFor(Path.of("a.xyz")).isPresent());
-        assertEquals("movingai", Formats.importerFor(Path.of("x.map")).orElseThrow().name());
-        IllegalArgumentException e =
-                assertThrows(IllegalArgumentException.class, () -> Formats.exporter("mp4"));
+        assertEquals(
+                "movingai", Formats.importerFor(Path.of("x.map")).orElseThrow().name());
+        IllegalArgumentException e = assertThrows(IllegalArgumentException.class, () -> Formats.exporter("mp4"));
         assertEquals("format 'mp4'; known are csv, svg, png, pngs, gif", e.getMessage());
         assertThrows(IllegalArgumentException.class, () -> SMALL.every(0));
         assertThrows(IllegalArgumentException.class, () -> SMALL.wide(1_000_000));

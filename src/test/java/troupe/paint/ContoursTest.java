@@ -19,8 +19,7 @@ class ContoursTest {
     private static Overlay.Field cone() {
         float[] values = new float[FRAME.size()];
         for (int i = 0; i < values.length; i++) {
-            values[i] = (float)
-                    Math.hypot(FRAME.centreX(FRAME.col(i)) - 10.25, FRAME.centreY(FRAME.row(i)) - 10.25);
+            values[i] = (float) Math.hypot(FRAME.centreX(FRAME.col(i)) - 10.25, FRAME.centreY(FRAME.row(i)) - 10.25);
         }
         return field(values);
     }

@@ -73,7 +73,9 @@ class PaintersTest {
     void coverCutsALineWhereItPassesBelow() {
         Cover cover = new Cover(Sketch.scene());
         List<Cover.Part> below = cover.parts(List.of(new double[] {3, 10, 0}, new double[] {3, 12.6, 0}));
-        assertEquals(List.of(false, true, false), below.stream().map(Cover.Part::covered).toList());
+        assertEquals(
+                List.of(false, true, false),
+                below.stream().map(Cover.Part::covered).toList());
         assertEquals(11.2, below.get(1).coordinates()[1], 0.051);
         List<Cover.Part> above = cover.parts(List.of(new double[] {3, 11.5, 2.6}, new double[] {3, 12.2, 2.6}));
         assertEquals(List.of(false), above.stream().map(Cover.Part::covered).toList());
@@ -132,7 +134,11 @@ class PaintersTest {
     void legendNamesWhatIsShownAndNothingElse() {
         Overlay.Field classes = Sketch.classes();
         Legend legend = Legend.of(
-                Sketch.run(), List.of(classes, Sketch.skeleton(), Sketch.potential()), false, Theme.LIGHT, Legend.ENGLISH);
+                Sketch.run(),
+                List.of(classes, Sketch.skeleton(), Sketch.potential()),
+                false,
+                Theme.LIGHT,
+                Legend.ENGLISH);
         assertEquals(
                 List.of(
                         "walk",
@@ -148,8 +154,8 @@ class PaintersTest {
                         "skeleton",
                         "potential, every 1 m"),
                 legend.texts());
-        Overlay.Field few = new Overlay.Field(
-                "class", 0, classes.frame(), new float[classes.values().length], classes.scale());
+        Overlay.Field few =
+                new Overlay.Field("class", 0, classes.frame(), new float[classes.values().length], classes.scale());
         assertEquals(
                 List.of("stable"),
                 Legend.of(null, List.of(few), true, Theme.LIGHT, Legend.ENGLISH).texts());

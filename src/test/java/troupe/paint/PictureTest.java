@@ -150,11 +150,13 @@ class PictureTest {
 
     @Test
     void legendAndScaleNeverCoverTheScene() {
-        List<Overlay> overlays =
-                List.of(Sketch.potential(), Sketch.classes(), Sketch.skeleton(), Sketch.triggers());
+        List<Overlay> overlays = List.of(Sketch.potential(), Sketch.classes(), Sketch.skeleton(), Sketch.triggers());
         Picture picture = Picture.of(Sketch.run(), 1).with(overlays);
         for (int width = Picture.MIN_WIDTH; width < 1500; width += 41) {
-            assertTrue(picture.sceneBox(width).getMaxY() <= picture.footerBox(width).getMinY(), "at width " + width);
+            assertTrue(
+                    picture.sceneBox(width).getMaxY()
+                            <= picture.footerBox(width).getMinY(),
+                    "at width " + width);
             assertTrue(picture.sceneBox(width).getMinX() >= 0);
             assertTrue(picture.footerBox(width).getMaxY() <= picture.size(width).height);
         }
