@@ -21,7 +21,7 @@ import troupe.scene.Scene;
  * from a crossing needs, over each straight neighbour, a span or crossing that is joined to both ends. The
  * relation is symmetric.
  */
-public final class Region {
+public final class Region implements LegalSteps {
     /** The most legal neighbours that a configuration has. */
     public static final int MAX_NEIGHBOURS = 512;
 
@@ -70,6 +70,7 @@ public final class Region {
     }
 
     /** Returns the frame. */
+    @Override
     public GridFrame frame() {
         return frame;
     }
@@ -85,11 +86,13 @@ public final class Region {
     }
 
     /** Returns the number of configurations: spans and crossings. */
+    @Override
     public int size() {
         return spanCount + crossings.size();
     }
 
     /** Returns the cell over which a configuration lies. */
+    @Override
     public int cell(int q) {
         if (q < cells) {
             return q;
@@ -123,6 +126,7 @@ public final class Region {
     }
 
     /** Tells whether some ability can be used there. */
+    @Override
     public boolean open(int q) {
         return abilities[q] != 0;
     }
@@ -131,11 +135,13 @@ public final class Region {
      * Returns the directions (bit d for direction d of {@link GridFrame}) in which the legal neighbour of a
      * span is {@code q + offset(d)}, the span of the same sheet; 0 for a crossing.
      */
+    @Override
     public int moves(int q) {
         return moves[q] & 0xff;
     }
 
     /** Tells whether {@link #moves} gives all legal neighbours. */
+    @Override
     public boolean plain(int q) {
         return q < spanCount && !special.get(q);
     }
@@ -147,6 +153,7 @@ public final class Region {
      * @param directions receives the direction of each; as long
      * @return how many there are
      */
+    @Override
     public int neighbours(int q, int[] targets, int[] directions) {
         if (!plain(q)) {
             return neighbours.of(q, cell(q), targets, directions);
