@@ -120,7 +120,8 @@ final class FieldsOracle {
             if (!skeleton[q] || q == fields.goal() || degree(q, skeleton) < 2) {
                 continue;
             }
-            int[] link = Arrays.stream(neighbours[q]).filter(next -> skeleton[next]).toArray();
+            int[] link =
+                    Arrays.stream(neighbours[q]).filter(next -> skeleton[next]).toArray();
             assertFalse(isConnected(link) && characteristic(link) == 1, message + ": not thin at " + at(q));
         }
     }
@@ -313,7 +314,8 @@ final class FieldsOracle {
                     if (piece[next] == 0
                             && !set[next]
                             && !(closedOnly && steps.open(next))
-                            && !(d >= 4 && barred(frame.index(col, frame.row(q)), frame.index(frame.col(q), row), set))) {
+                            && !(d >= 4
+                                    && barred(frame.index(col, frame.row(q)), frame.index(frame.col(q), row), set))) {
                         piece[next] = count;
                         queue.add(next);
                     }
