@@ -22,6 +22,7 @@ record ObstacleLook(Obstacle obstacle, Path2D path, boolean hanging, boolean sta
     private static final double LOW_FROM = 0.3;
     private static final double LOW_TO = 1.3;
     private static final double FULL = 1.9;
+    private static final double STAIR = 2.6;
 
     /** Returns the looks of all obstacles, lowest top first, equal tops in document order. Cost O(n log n) on usual scenes. */
     static List<ObstacleLook> of(List<Obstacle> obstacles) {
@@ -77,23 +78,29 @@ record ObstacleLook(Obstacle obstacle, Path2D path, boolean hanging, boolean sta
         return hanging || !stair && obstacle.top() >= LOW_FROM - 1e-9 && obstacle.top() <= LOW_TO;
     }
 
-    /** Returns the colour of its top: its own, or one that tells its height. */
+    /** Returns the colour of its top: its own, or one that tells its height; steps pale towards the floor. */
     Color fill(Theme theme) {
-        return Shapes.colour(obstacle.colour(), byHeight(theme));
-    }
-
-    private Color byHeight(Theme theme) {
         double top = obstacle.top();
         if (obstacle.movable()) {
-            return theme.color(Tone.WOOD);
+            return own(theme, theme.color(Tone.WOOD));
         }
         if (hanging) {
-            return theme.color(Tone.DECK);
+            return own(theme, theme.color(Tone.DECK));
         }
         if (stair || top < LOW_FROM - 1e-9) {
-            double share = 0.35 + 0.6 * Math.min(1, top / 2.6);
-            return Shapes.blend(theme.color(Tone.FLOOR), theme.color(Tone.STEP), share);
+            double share = 0.35 + 0.6 * Math.min(1, top / STAIR);
+            return Shapes.blend(
+                    theme.color(Tone.FLOOR), own(theme, theme.color(Tone.STEP)), share);
         }
-        return Shapes.blend(theme.color(Tone.LOW), theme.color(Tone.WALL), (top - LOW_TO) / (FULL - LOW_TO));
+        Color byHeight =
+                Shapes.blend(theme.color(Tone.LOW), theme.color(Tone.WALL), (top - LOW_TO) / (FULL - LOW_TO));
+        return own(theme, byHeight);
+    }
+
+    /** Returns the obstacle's own colour, lightened in the dark theme where it would be lost on the floor. */
+    private Color own(Theme theme, Color other) {
+        Color own = Shapes.colour(obstacle.colour(), other);
+        boolean lost = theme == Theme.DARK && !own.equals(other) && Shapes.lightness(own) < 95;
+        return lost ? Shapes.blend(own, Color.WHITE, 0.28) : own;
     }
 }

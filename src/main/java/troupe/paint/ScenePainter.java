@@ -1,7 +1,6 @@
 package troupe.paint;
 
 import java.awt.Color;
-import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.Shape;
@@ -11,7 +10,6 @@ import java.awt.geom.Rectangle2D;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Set;
-import troupe.geometry.Point;
 import troupe.scene.Ditch;
 import troupe.scene.Obstacle;
 import troupe.scene.Scene;
@@ -23,7 +21,6 @@ import troupe.scene.World;
  * dashed outline; movable obstacles are of hatched wood. Immutable; serves any thread.
  */
 public final class ScenePainter {
-    private static final float TEXT_SIZE = 12;
     private static final double GRID_PIXELS = 20;
     private static final double HANGING_OPACITY = 0.5;
     private static final double ABOVE_OPACITY = 0.12;
@@ -201,66 +198,18 @@ public final class ScenePainter {
     /** Paints heights and names where they fit; {@code labels} keeps texts apart. */
     public void paintLabels(Graphics2D graphics, Viewport view, Labels labels) {
         Graphics2D g = Shapes.smooth(graphics);
-        Font font = Theme.font(TEXT_SIZE);
+        ElevationLabels writer = new ElevationLabels(g, theme, view, labels);
+        writer.keepOff(looks.stream().filter(l -> !above(l)).toList());
         for (Ditch ditch : ditches) {
-            Point centre = ditch.outline().centroid();
-            Rectangle2D room = view.transform()
-                    .createTransformedShape(Shapes.path(ditch.outline()))
-                    .getBounds2D();
-            paintInside(g, font, labels, view, room, centre, Shapes.metres(-ditch.depth()), theme.color(Tone.TEXT));
+            writer.write(ditch);
         }
         for (int i = looks.size() - 1; i >= 0; i--) {
             ObstacleLook look = looks.get(i);
-            Obstacle obstacle = look.obstacle();
-            boolean asked = numbered.contains(obstacle.id());
-            if (asked || look.low() && !obstacle.movable() && obstacle.offset() <= elevation) {
-                paintLabel(g, font, labels, view, look, asked);
+            boolean asked = numbered.contains(look.obstacle().id());
+            if (asked || look.low() && !look.obstacle().movable() && !above(look)) {
+                writer.write(look, asked);
             }
         }
         g.dispose();
-    }
-
-    private void paintLabel(Graphics2D g, Font font, Labels labels, Viewport view, ObstacleLook look, boolean asked) {
-        Obstacle obstacle = look.obstacle();
-        Point centre = obstacle.outline().centroid();
-        String number = Shapes.metres(obstacle.top());
-        Rectangle2D room = view.transform().createTransformedShape(look.path()).getBounds2D();
-        Color ink = look.hanging() ? theme.color(Tone.TEXT) : Shapes.ink(look.fill(theme));
-        boolean named = !obstacle.label().isEmpty()
-                && paintInside(g, font, labels, view, room, centre, obstacle.label() + " " + number, ink);
-        if (named || paintInside(g, font, labels, view, room, centre, number, ink)) {
-            return;
-        }
-        Rectangle2D text = Labels.around(g, font, number, 0, 0);
-        double up = text.getHeight() / 2 + 2;
-        double[] ys = {room.getMinY() - up, room.getMaxY() + up};
-        double[] xs = {room.getMinX() + text.getWidth() / 2 + 6, room.getMaxX() - text.getWidth() / 2 - 6};
-        boolean wide = room.getWidth() > room.getHeight();
-        for (int k = 0; k < 4 && (wide || asked); k++) {
-            Rectangle2D place = Labels.around(g, font, number, xs[k / 2], ys[k % 2]);
-            if (labels.free(place)) {
-                labels.draw(g, font, number, place, theme.color(Tone.DIM));
-                return;
-            }
-        }
-    }
-
-    private static boolean paintInside(
-            Graphics2D g,
-            Font font,
-            Labels labels,
-            Viewport view,
-            Rectangle2D room,
-            Point centre,
-            String text,
-            Color ink) {
-        Rectangle2D place = Labels.around(g, font, text, view.px(centre.x()), view.py(centre.y()));
-        Rectangle2D padded =
-                new Rectangle2D.Double(place.getX() - 3, place.getY() + 1, place.getWidth() + 6, place.getHeight() - 2);
-        if (!room.contains(padded) || !labels.free(place)) {
-            return false;
-        }
-        labels.draw(g, font, text, place, ink);
-        return true;
     }
 }

@@ -126,10 +126,14 @@ final class Shapes {
         return (int) Math.round(from + (to - from) * Math.max(0, Math.min(1, share)));
     }
 
+    /** Returns how light a colour is, in [0, 255]. */
+    static double lightness(Color colour) {
+        return 0.299 * colour.getRed() + 0.587 * colour.getGreen() + 0.114 * colour.getBlue();
+    }
+
     /** Returns black or white, whichever reads better on the colour. */
     static Color ink(Color fill) {
-        double light = 0.299 * fill.getRed() + 0.587 * fill.getGreen() + 0.114 * fill.getBlue();
-        return light > 140 ? Tone.TEXT.light() : Color.WHITE;
+        return lightness(fill) > 140 ? Tone.TEXT.light() : Color.WHITE;
     }
 
     /** Reads {@code #rrggbb}; anything else gives the other colour. */

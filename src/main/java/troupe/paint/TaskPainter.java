@@ -3,6 +3,7 @@ package troupe.paint;
 import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.geom.Ellipse2D;
+import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import troupe.scene.Journey;
@@ -51,22 +52,18 @@ public final class TaskPainter {
     private static void paintGoal(Graphics2D g, Theme theme, Color colour, Place goal, Viewport view) {
         double x = view.px(goal.x());
         double y = view.py(goal.y());
-        Path2D flag = new Path2D.Double();
-        flag.moveTo(x, y);
-        flag.lineTo(x, y - POLE);
-        flag.lineTo(x + 17, y - POLE + 6);
-        flag.lineTo(x, y - POLE + 13);
-        g.setColor(theme.color(Tone.PANEL, 0.9));
-        g.setStroke(Theme.line(5));
-        g.draw(flag);
         Path2D pennant = new Path2D.Double();
         pennant.moveTo(x, y - POLE);
         pennant.lineTo(x + 17, y - POLE + 6);
         pennant.lineTo(x, y - POLE + 13);
         pennant.closePath();
+        g.setColor(theme.color(Tone.PANEL, 0.9));
+        g.setStroke(Theme.line(5));
+        g.draw(pennant);
         g.setColor(colour);
         g.fill(pennant);
         g.setStroke(Theme.line(2));
-        g.draw(flag);
+        g.draw(pennant);
+        g.draw(new Line2D.Double(x, y, x, y - POLE));
     }
 }
