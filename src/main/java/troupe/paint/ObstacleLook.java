@@ -89,11 +89,9 @@ record ObstacleLook(Obstacle obstacle, Path2D path, boolean hanging, boolean sta
         }
         if (stair || top < LOW_FROM - 1e-9) {
             double share = 0.35 + 0.6 * Math.min(1, top / STAIR);
-            return Shapes.blend(
-                    theme.color(Tone.FLOOR), own(theme, theme.color(Tone.STEP)), share);
+            return Shapes.blend(theme.color(Tone.FLOOR), own(theme, theme.color(Tone.STEP)), share);
         }
-        Color byHeight =
-                Shapes.blend(theme.color(Tone.LOW), theme.color(Tone.WALL), (top - LOW_TO) / (FULL - LOW_TO));
+        Color byHeight = Shapes.blend(theme.color(Tone.LOW), theme.color(Tone.WALL), (top - LOW_TO) / (FULL - LOW_TO));
         return own(theme, byHeight);
     }
 
