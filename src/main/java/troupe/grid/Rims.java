@@ -120,16 +120,26 @@ final class Rims {
                     double y = other.y(j) + s * (other.y(i) - other.y(j)) - ay;
                     t = (x * dx + y * dy) / (length * length);
                 }
-                if (t > slack && t < 1 - slack) {
-                    if (n == cuts.length) {
-                        cuts = Arrays.copyOf(cuts, 2 * n);
-                    }
-                    cuts[n++] = t;
-                }
+                n = cutAt(t, slack, n);
             }
         }
+        n = cutAt(-ax / dx, slack, n);
+        n = cutAt((world.width() - ax) / dx, slack, n);
+        n = cutAt(-ay / dy, slack, n);
+        n = cutAt((world.depth() - ay) / dy, slack, n);
         Arrays.sort(cuts, 0, n);
         return n;
+    }
+
+    private int cutAt(double t, double slack, int n) {
+        if (!(t > slack && t < 1 - slack)) {
+            return n;
+        }
+        if (n == cuts.length) {
+            cuts = Arrays.copyOf(cuts, 2 * n);
+        }
+        cuts[n] = t;
+        return n + 1;
     }
 
     private void keep(
