@@ -70,7 +70,9 @@ class RegionOracleTest {
             if (!actor.abilities().contains(ability)) {
                 continue;
             }
-            double radius = ability == Ability.WALK ? actor.walk().radius() : actor.sidestep().get().radius();
+            double radius = ability == Ability.WALK
+                    ? actor.walk().radius()
+                    : actor.sidestep().get().radius();
             boolean usable = (region.abilities(q) & ability.bit()) != 0;
             boolean touched = radius < 0.71 * cell && slow.touched(x, y, cell / 2, floor);
             if (Math.abs(distance - radius) < BAND) {
@@ -148,8 +150,8 @@ class RegionOracleTest {
         double dx = 3 * random.nextDouble() - 1.5;
         double dy = i % 3 == 0 ? 0 : 3 * random.nextDouble() - 1.5;
         double thin = 1e-4 / Math.hypot(dx, dy);
-        Polygon outline = Polygon.of(
-                x, y, x + dx, y + dy, x + dx - thin * dy, y + dy + thin * dx, x - thin * dy, y + thin * dx);
+        Polygon outline =
+                Polygon.of(x, y, x + dx, y + dy, x + dx - thin * dy, y + dy + thin * dx, x - thin * dy, y + thin * dx);
         return new Obstacle("w" + i, "", outline, 0, 3, false, 20, "");
     }
 

@@ -31,7 +31,10 @@ final class SlowRegion {
     private record Solid(double bottom, double top, boolean standable) {}
 
     boolean outside(double x, double y) {
-        return !(x >= 0 && y >= 0 && x < scene.world().width() && y < scene.world().depth());
+        return !(x >= 0
+                && y >= 0
+                && x < scene.world().width()
+                && y < scene.world().depth());
     }
 
     double ground(double x, double y) {
@@ -71,7 +74,9 @@ final class SlowRegion {
 
     /** Returns the spans over a point, from below. */
     List<Stretch> spans(double x, double y) {
-        double body = actor.vault().map(v -> Math.min(v.bodyHeight(), actor.bodyHeight())).orElse(actor.bodyHeight());
+        double body = actor.vault()
+                .map(v -> Math.min(v.bodyHeight(), actor.bodyHeight()))
+                .orElse(actor.bodyHeight());
         List<Stretch> spans = new ArrayList<>();
         if (outside(x, y)) {
             return spans;
@@ -107,7 +112,8 @@ final class SlowRegion {
 
     private double clearanceOfWorld(double x, double y) {
         return Math.min(
-                Math.min(x, scene.world().width() - x), Math.min(y, scene.world().depth() - y));
+                Math.min(x, scene.world().width() - x),
+                Math.min(y, scene.world().depth() - y));
     }
 
     /** Tells whether a sampled point nearer than {@code radius} has ground in the way of a body on {@code floor}. */
@@ -174,7 +180,8 @@ final class SlowRegion {
             return true;
         }
         List<Polygon> outlines = new ArrayList<>();
-        outlines.add(Polygon.rectangle(0, 0, scene.world().width(), scene.world().depth()));
+        outlines.add(
+                Polygon.rectangle(0, 0, scene.world().width(), scene.world().depth()));
         scene.ditches().forEach(d -> outlines.add(d.outline()));
         scene.obstacles().forEach(o -> outlines.add(o.outline()));
         for (Polygon p : outlines) {
