@@ -22,4 +22,38 @@ public final class Segments {
         double cross = (px - ax) * dy - (py - ay) * dx;
         return cross * cross / length;
     }
+
+    /** Tells whether the closed segments {@code a-b} and {@code c-d} share a point; exact. */
+    public static boolean meet(
+            double ax, double ay, double bx, double by, double cx, double cy, double dx, double dy) {
+        if (Math.max(ax, bx) < Math.min(cx, dx)
+                || Math.max(cx, dx) < Math.min(ax, bx)
+                || Math.max(ay, by) < Math.min(cy, dy)
+                || Math.max(cy, dy) < Math.min(ay, by)) {
+            return false;
+        }
+        int c = Orientation.sign(ax, ay, bx, by, cx, cy);
+        int d = Orientation.sign(ax, ay, bx, by, dx, dy);
+        int a = Orientation.sign(cx, cy, dx, dy, ax, ay);
+        int b = Orientation.sign(cx, cy, dx, dy, bx, by);
+        return c * d <= 0 && a * b <= 0;
+    }
+
+    /** Tells whether the open segments {@code a-b} and {@code c-d} cross in exactly one inner point of both; exact. */
+    public static boolean cross(
+            double ax, double ay, double bx, double by, double cx, double cy, double dx, double dy) {
+        return Orientation.sign(ax, ay, bx, by, cx, cy) * Orientation.sign(ax, ay, bx, by, dx, dy) < 0
+                && Orientation.sign(cx, cy, dx, dy, ax, ay) * Orientation.sign(cx, cy, dx, dy, bx, by) < 0;
+    }
+
+    /** Returns the squared distance between the closed segments {@code a-b} and {@code c-d}, 0 if they meet. */
+    public static double distanceSquared(
+            double ax, double ay, double bx, double by, double cx, double cy, double dx, double dy) {
+        if (meet(ax, ay, bx, by, cx, cy, dx, dy)) {
+            return 0;
+        }
+        return Math.min(
+                Math.min(distanceSquared(ax, ay, cx, cy, dx, dy), distanceSquared(bx, by, cx, cy, dx, dy)),
+                Math.min(distanceSquared(cx, cy, ax, ay, bx, by), distanceSquared(dx, dy, ax, ay, bx, by)));
+    }
 }

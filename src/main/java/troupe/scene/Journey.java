@@ -55,4 +55,44 @@ public record Journey(
     public Journey between(Place from, Place to) {
         return new Journey(id, label, actor, from, to, preferences, ordering, spread, slice, expansions, seed);
     }
+
+    /** Returns this journey with other preferences. */
+    public Journey preferring(Preferences changed) {
+        return new Journey(
+                id, label, actor, start, goal, changed, ordering, spread, slice, expansions, seed);
+    }
+
+    /** Returns this journey with another ordering. */
+    public Journey with(Ordering changed) {
+        return new Journey(
+                id, label, actor, start, goal, preferences, changed, spread, slice, expansions, seed);
+    }
+
+    /** Returns this journey with another spreading order of NF2. */
+    public Journey with(Spread changed) {
+        return new Journey(
+                id, label, actor, start, goal, preferences, ordering, changed, slice, expansions, seed);
+    }
+
+    /** Returns this journey with other budgets. */
+    public Journey limited(long newSlice, long newExpansions) {
+        return new Journey(
+                id,
+                label,
+                actor,
+                start,
+                goal,
+                preferences,
+                ordering,
+                spread,
+                Math.toIntExact(newSlice),
+                newExpansions,
+                seed);
+    }
+
+    /** Returns this journey with another seed. */
+    public Journey seeded(long changed) {
+        return new Journey(
+                id, label, actor, start, goal, preferences, ordering, spread, slice, expansions, changed);
+    }
 }

@@ -7,7 +7,7 @@ import java.util.stream.Stream;
 /**
  * Holds a whole scene document: the world, what stands in it, who acts and what is to be planned.
  * Immutable; the lists keep the order of the document and are copied. A scene may hold mistakes (a
- * twisted polygon, a goal in a wall): {@code SceneChecks} names them all at once.
+ * twisted polygon, a goal in a wall): {@link SceneChecks} names them all at once.
  */
 public record Scene(
         String title,
@@ -59,6 +59,11 @@ public record Scene(
                 replaced(ditches, changed),
                 replaced(actors, changed),
                 replaced(tasks, changed));
+    }
+
+    /** Returns this scene with another world. */
+    public Scene with(World changed) {
+        return new Scene(title, changed, obstacles, ditches, actors, tasks);
     }
 
     @SuppressWarnings("unchecked")

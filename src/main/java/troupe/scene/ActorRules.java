@@ -1,0 +1,68 @@
+package troupe.scene;
+
+import troupe.scene.SceneChecks.Findings;
+
+/** Checks the numbers of actors, alone and against each other. */
+final class ActorRules {
+    private ActorRules() {}
+
+    static void numbers(Scene scene, Findings findings) {
+        for (Actor actor : scene.actors()) {
+            ActorForm form = ActorForm.of(actor);
+            for (String name : ActorForm.BODY) {
+                findings.number(actor.id(), name, form.body(name), 0, !name.equals("bodyHeight"));
+            }
+            for (Ability ability : form.abilities()) {
+                for (String name : ActorForm.names(ability)) {
+                    findings.number(
+                            actor.id(), ability.key() + "." + name, form.number(ability, name), 0, mayBeZero(name));
+                }
+            }
+        }
+    }
+
+    private static boolean mayBeZero(String name) {
+        return name.equals("radius") || name.equals("takeOff") || name.equals("turnEnergy");
+    }
+
+    static void relations(Scene scene, Findings findings) {
+        for (Actor actor : scene.actors()) {
+            String id = actor.id();
+            atMost(findings, id, "footRadius", actor.footRadius(), "walk.radius", actor.walk().radius());
+            actor.sidestep().ifPresent(s -> {
+                atMost(findings, id, "footRadius", actor.footRadius(), "sidestep.radius", s.radius());
+                atMost(findings, id, "sidestep.radius", s.radius(), "walk.radius", actor.walk().radius());
+            });
+            twiceTheStep(findings, id, "bodyHeight", actor.bodyHeight(), actor.stepHeight());
+            actor.vault().ifPresent(v -> {
+                twiceTheStep(findings, id, "vault.bodyHeight", v.bodyHeight(), actor.stepHeight());
+                atMost(findings, id, "vault.minHeight", v.minHeight(), "vault.maxHeight", v.maxHeight());
+                if (v.minHeight() <= actor.stepHeight()) {
+                    findings.error(
+                            id,
+                            "vault.minHeight " + Numbers.text(v.minHeight()) + " is not above stepHeight "
+                                    + Numbers.text(actor.stepHeight()),
+                            "what can be stepped on need not be vaulted: raise vault.minHeight");
+                }
+            });
+        }
+    }
+
+    private static void atMost(Findings findings, String id, String small, double a, String large, double b) {
+        if (a > b) {
+            findings.error(
+                    id,
+                    small + " " + Numbers.text(a) + " is above " + large + " " + Numbers.text(b),
+                    "lower " + small + " or raise " + large);
+        }
+    }
+
+    private static void twiceTheStep(Findings findings, String id, String name, double height, double step) {
+        if (height <= 2 * step) {
+            findings.error(
+                    id,
+                    name + " " + Numbers.text(height) + " is not above twice stepHeight " + Numbers.text(step),
+                    "raise " + name + " or lower stepHeight");
+        }
+    }
+}

@@ -1,0 +1,69 @@
+package troupe.scene;
+
+import java.util.HashSet;
+import java.util.Locale;
+import java.util.Set;
+import java.util.regex.Pattern;
+import troupe.scene.SceneChecks.Findings;
+
+/** Checks the document as a whole: ids, the world, and whether its grid fits into memory. */
+final class DocumentRules {
+    private static final Pattern ID = Pattern.compile("[A-Za-z_][\\w.-]*");
+
+    /** Bytes that planning takes for each cell of a flat scene, fields and search included, measured and rounded up. */
+    private static final long BYTES_PER_CELL = 160;
+
+    /** Kernels index cells with an int and a few sheets of them. */
+    private static final long MAX_CELLS = 1L << 27;
+
+    private DocumentRules() {}
+
+    static void ids(Scene scene, Findings findings) {
+        Set<String> seen = new HashSet<>();
+        scene.elements().forEach(element -> {
+            String id = element.id();
+            if (!ID.matcher(id).matches()) {
+                findings.error(id, "the id '" + id + "' is not allowed", "use a letter or _, then letters, digits, . _ -");
+            }
+            if (!seen.add(id)) {
+                findings.error(id, "the id is used twice", "rename one of the two");
+            }
+        });
+    }
+
+    static void world(Scene scene, Findings findings) {
+        World world = scene.world();
+        boolean sized = findings.number("", "the world's width", world.width(), 0, false)
+                & findings.number("", "the world's depth", world.depth(), 0, false);
+        if (findings.number("", "the world's cell", world.cell(), 0, false)
+                && sized
+                && world.cell() > Math.min(world.width(), world.depth())) {
+            findings.error(
+                    "",
+                    "a cell of " + Numbers.text(world.cell()) + " m is larger than the world",
+                    "choose a smaller cell");
+        }
+    }
+
+    static void memory(Scene scene, Findings findings) {
+        World world = scene.world();
+        double cells = world.width() / world.cell() * (world.depth() / world.cell());
+        if (!(cells > 0) || Double.isInfinite(world.width() * world.depth())) {
+            return;
+        }
+        long free = Runtime.getRuntime().maxMemory() / 4 * 3;
+        double most = Math.min(MAX_CELLS, free / (double) BYTES_PER_CELL);
+        if (cells > most) {
+            double fitting = Math.sqrt(world.width() * world.depth() / most) * 1.01;
+            findings.error(
+                    "",
+                    String.format(
+                            Locale.ROOT,
+                            "a grid of %.3g cells needs %.3g GB; this Java may use %.3g GB",
+                            cells,
+                            cells * BYTES_PER_CELL / 1e9,
+                            free / 1e9),
+                    String.format(Locale.ROOT, "a cell of %.4g m would fit", fitting));
+        }
+    }
+}

@@ -1,0 +1,62 @@
+package troupe.scene;
+
+import java.util.List;
+import troupe.scene.SceneChecks.Findings;
+
+/** Checks journeys against the rest of the scene. */
+final class JourneyRules {
+    private JourneyRules() {}
+
+    private static List<Journey> journeys(Scene scene) {
+        return scene.tasks().stream()
+                .filter(Journey.class::isInstance)
+                .map(Journey.class::cast)
+                .toList();
+    }
+
+    static void actors(Scene scene, Findings findings) {
+        for (Journey journey : journeys(scene)) {
+            if (scene.actor(journey.actor()).isEmpty()) {
+                findings.error(
+                        journey.id(),
+                        "there is no actor '" + journey.actor() + "'",
+                        scene.actors().isEmpty()
+                                ? "add an actor"
+                                : "name one of "
+                                        + String.join(", ", scene.actors().stream().map(Actor::id).toList()));
+            }
+            if (!journey.preferences().allows(Ability.WALK)) {
+                findings.error(journey.id(), "walking is switched off", "give walk a factor; every actor walks");
+            }
+        }
+    }
+
+    static void places(Scene scene, Findings findings) {
+        for (Journey journey : journeys(scene)) {
+            place(scene.world(), journey.id(), "the start", journey.start(), findings);
+            place(scene.world(), journey.id(), "the goal", journey.goal(), findings);
+        }
+    }
+
+    private static void place(World world, String id, String what, Place place, Findings findings) {
+        boolean finite = Double.isFinite(place.x())
+                && Double.isFinite(place.y())
+                && Double.isFinite(place.z().orElse(0));
+        if (!finite) {
+            findings.error(id, what + " is not finite", "give it finite numbers");
+        } else if (place.x() < 0 || place.y() < 0 || place.x() > world.width() || place.y() > world.depth()) {
+            findings.error(id, what + " " + Numbers.text(place) + " lies outside the world", "move it inside");
+        }
+    }
+
+    static void budgets(Scene scene, Findings findings) {
+        for (Journey journey : journeys(scene)) {
+            if (journey.slice() < 1) {
+                findings.error(journey.id(), "slice is " + journey.slice(), "give a whole number from 1");
+            }
+            if (journey.expansions() < 1) {
+                findings.error(journey.id(), "expansions is " + journey.expansions(), "give a whole number from 1");
+            }
+        }
+    }
+}

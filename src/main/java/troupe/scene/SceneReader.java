@@ -1,0 +1,258 @@
+package troupe.scene;
+
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.net.URL;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import javax.xml.XMLConstants;
+import javax.xml.parsers.ParserConfigurationException;
+import javax.xml.parsers.SAXParserFactory;
+import javax.xml.validation.Schema;
+import javax.xml.validation.SchemaFactory;
+import org.xml.sax.Attributes;
+import org.xml.sax.InputSource;
+import org.xml.sax.Locator;
+import org.xml.sax.SAXException;
+import org.xml.sax.SAXParseException;
+import org.xml.sax.XMLReader;
+import org.xml.sax.helpers.DefaultHandler;
+
+/**
+ * Reads one scene file, validated against the schema while it streams. DTDs, entities and external
+ * references are refused.
+ */
+final class SceneReader extends DefaultHandler {
+    /** After so many mistakes the rest of a file is not looked at. */
+    private static final int MAX_PROBLEMS = 50;
+
+    private final String name;
+    private final List<Problem> problems = new ArrayList<>();
+    private final Map<String, Integer> lines = new HashMap<>();
+    private final List<Obstacle> obstacles = new ArrayList<>();
+    private final List<Ditch> ditches = new ArrayList<>();
+    private final List<Actor> actors = new ArrayList<>();
+    private final List<Task> tasks = new ArrayList<>();
+    private Locator locator;
+    private String title = "";
+    private World world;
+    private ActorForm form;
+    private Names actorNames;
+    private Journey journey;
+
+    SceneReader(String name) {
+        this.name = name;
+    }
+
+    private record Names(String id, String label, String colour) {}
+
+    SceneSource read(byte[] bytes) throws SceneException, IOException {
+        try {
+            XMLReader reader = parser();
+            reader.setContentHandler(this);
+            reader.setErrorHandler(this);
+            reader.setEntityResolver((publicId, systemId) -> {
+                throw new SAXException("external references are not allowed");
+            });
+            reader.parse(new InputSource(new ByteArrayInputStream(bytes)));
+        } catch (SAXParseException e) {
+            if (problems.isEmpty()) {
+                problem(e.getLineNumber(), e.getColumnNumber(), "", message(e), "");
+            }
+        } catch (SAXException | IOException e) {
+            // malformed UTF-8 comes as an IOException of the decoder; the bytes themselves are in memory
+            problem(locator == null ? 1 : locator.getLineNumber(), 0, "", message(e), "");
+        }
+        if (!problems.isEmpty()) {
+            throw new SceneException(name, problems);
+        }
+        return new SceneSource(new Scene(title, world, obstacles, ditches, actors, tasks), lines);
+    }
+
+    private static String message(Exception e) {
+        String text = e.getMessage() == null ? e.getClass().getSimpleName() : e.getMessage();
+        return text.replaceAll("^cvc-[^:]*: ", "").replaceAll("\\s+", " ");
+    }
+
+    private static XMLReader parser() throws SAXException {
+        try {
+            SAXParserFactory factory = SAXParserFactory.newDefaultInstance();
+            factory.setNamespaceAware(true);
+            factory.setSchema(schema());
+            factory.setFeature(XMLConstants.FEATURE_SECURE_PROCESSING, true);
+            factory.setFeature("http://apache.org/xml/features/disallow-doctype-decl", true);
+            return factory.newSAXParser().getXMLReader();
+        } catch (ParserConfigurationException e) {
+            throw new IllegalStateException("the JDK's own XML parser lacks a standard feature", e);
+        }
+    }
+
+    private static Schema schema() throws SAXException {
+        URL url = SceneReader.class.getResource("/troupe/scene/scene.xsd");
+        SchemaFactory factory = SchemaFactory.newDefaultInstance();
+        factory.setFeature(XMLConstants.FEATURE_SECURE_PROCESSING, true);
+        return factory.newSchema(url);
+    }
+
+    private void problem(int line, int column, String element, String message, String cure) {
+        String place = column > 0 ? "column " + column + ": " : "";
+        problems.add(new Problem(Severity.ERROR, element, Math.max(line, 0), place + message, cure));
+    }
+
+    @Override
+    public void setDocumentLocator(Locator given) {
+        locator = given;
+    }
+
+    @Override
+    public void error(SAXParseException e) throws SAXException {
+        problem(e.getLineNumber(), e.getColumnNumber(), "", message(e), "");
+        if (problems.size() >= MAX_PROBLEMS) {
+            throw e;
+        }
+    }
+
+    @Override
+    public void fatalError(SAXParseException e) throws SAXException {
+        problem(e.getLineNumber(), e.getColumnNumber(), "", message(e), "");
+        throw e;
+    }
+
+    @Override
+    public void startElement(String uri, String element, String qualified, Attributes attributes) {
+        String id = text(attributes, "id", "");
+        if (!id.isEmpty()) {
+            lines.putIfAbsent(id, locator.getLineNumber());
+        }
+        try {
+            start(element, id, attributes);
+        } catch (IllegalArgumentException e) {
+            problem(locator.getLineNumber(), 0, id, "<" + element + ">: " + e.getMessage(), "");
+        }
+    }
+
+    private void start(String element, String id, Attributes a) {
+        switch (element) {
+            case "scene" -> title = text(a, "title", "");
+            case "world" -> world = world(a);
+            case "obstacle" -> obstacles.add(obstacle(id, a));
+            case "ditch" -> ditches.add(new Ditch(
+                    id, text(a, "label", ""), Numbers.polygon(required(a, "points")), number(a, "depth", 0)));
+            case "actor" -> startActor(id, a);
+            case "journey" -> journey = journey(id, a);
+            case "prefer" -> prefer(a);
+            default -> ability(element, a);
+        }
+    }
+
+    private static World world(Attributes a) {
+        World plain = World.of(number(a, "width", 0), number(a, "depth", 0));
+        return new World(plain.width(), plain.depth(), number(a, "cell", plain.cell()));
+    }
+
+    private static Obstacle obstacle(String id, Attributes a) {
+        return new Obstacle(
+                id,
+                text(a, "label", ""),
+                Numbers.polygon(required(a, "points")),
+                number(a, "offset", 0),
+                number(a, "height", 0),
+                List.of("true", "1").contains(text(a, "movable", "").strip()),
+                number(a, "mass", Obstacle.DEFAULT_MASS),
+                text(a, "colour", ""));
+    }
+
+    private void startActor(String id, Attributes a) {
+        actorNames = new Names(id, text(a, "label", ""), text(a, "colour", ""));
+        form = ActorForm.bare();
+        for (String attribute : ActorForm.BODY) {
+            form.setBody(attribute, number(a, attribute, form.body(attribute)));
+        }
+    }
+
+    private void ability(String element, Attributes a) {
+        for (Ability ability : Ability.values()) {
+            if (ability.key().equals(element) && form != null) {
+                form.add(ability);
+                for (String attribute : ActorForm.names(ability)) {
+                    if (a.getValue(attribute) != null) {
+                        form.set(ability, attribute, number(a, attribute, 0));
+                    }
+                }
+            }
+        }
+    }
+
+    private static Journey journey(String id, Attributes a) {
+        return new Journey(
+                id,
+                text(a, "label", ""),
+                text(a, "actor", ""),
+                Numbers.place(required(a, "start")),
+                Numbers.place(required(a, "goal")),
+                Preferences.NEUTRAL,
+                Orderings.ordering(text(a, "ordering", "optimal")),
+                Journey.Spread.valueOf(text(a, "spread", "breadth").strip().toUpperCase(java.util.Locale.ROOT)),
+                Math.toIntExact(whole(a, "slice", Journey.DEFAULT_SLICE)),
+                whole(a, "expansions", Journey.DEFAULT_EXPANSIONS),
+                whole(a, "seed", 1));
+    }
+
+    private void prefer(Attributes a) {
+        if (journey == null) {
+            return;
+        }
+        Preferences preferences = journey.preferences();
+        for (Ability ability : Ability.values()) {
+            String factor = a.getValue(ability.key());
+            if (factor != null) {
+                preferences = preferences.with(ability, Orderings.factor(factor));
+            }
+        }
+        journey = journey.preferring(preferences);
+    }
+
+    @Override
+    public void endElement(String uri, String element, String qualified) {
+        if (element.equals("actor") && form != null) {
+            actors.add(form.actor(actorNames.id(), actorNames.label(), actorNames.colour()));
+            form = null;
+        } else if (element.equals("journey") && journey != null) {
+            tasks.add(journey);
+            journey = null;
+        }
+    }
+
+    private static String text(Attributes attributes, String attribute, String absent) {
+        String value = attributes.getValue(attribute);
+        return value == null ? absent : value;
+    }
+
+    private static String required(Attributes attributes, String attribute) {
+        String value = attributes.getValue(attribute);
+        if (value == null) {
+            throw new IllegalArgumentException("attribute '" + attribute + "' is missing");
+        }
+        return value;
+    }
+
+    private static double number(Attributes attributes, String attribute, double absent) {
+        String value = attributes.getValue(attribute);
+        return value == null ? absent : named(attribute, () -> Numbers.number(value));
+    }
+
+    private static long whole(Attributes attributes, String attribute, long absent) {
+        String value = attributes.getValue(attribute);
+        return value == null ? absent : named(attribute, () -> Numbers.whole(value));
+    }
+
+    private static <T> T named(String attribute, java.util.function.Supplier<T> reading) {
+        try {
+            return reading.get();
+        } catch (IllegalArgumentException e) {
+            throw new IllegalArgumentException(attribute + ": " + e.getMessage(), e);
+        }
+    }
+}

@@ -1,0 +1,127 @@
+package troupe.scene;
+
+import static troupe.scene.Numbers.text;
+
+import java.util.Locale;
+
+/** Writes a scene as XML: one element a line, attributes in a fixed order, defaults left out. */
+final class SceneWriter {
+    private final StringBuilder out = new StringBuilder();
+
+    String write(Scene scene) {
+        out.append("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
+        out.append("<scene xmlns=\"").append(SceneXml.NAMESPACE).append('"');
+        attribute("title", scene.title(), "");
+        out.append(">\n");
+        world(scene.world());
+        scene.obstacles().forEach(this::obstacle);
+        scene.ditches().forEach(this::ditch);
+        scene.actors().forEach(this::actor);
+        scene.tasks().forEach(this::task);
+        return out.append("</scene>\n").toString();
+    }
+
+    private void world(World world) {
+        out.append("  <world");
+        attribute("width", text(world.width()), "");
+        attribute("depth", text(world.depth()), "");
+        attribute("cell", text(world.cell()), text(World.of(world.width(), world.depth()).cell()));
+        out.append("/>\n");
+    }
+
+    private void obstacle(Obstacle obstacle) {
+        out.append("  <obstacle");
+        named(obstacle);
+        attribute("colour", obstacle.colour(), "");
+        attribute("offset", text(obstacle.offset()), "0");
+        attribute("height", text(obstacle.height()), "");
+        attribute("movable", Boolean.toString(obstacle.movable()), "false");
+        attribute("mass", text(obstacle.mass()), text(Obstacle.DEFAULT_MASS));
+        attribute("points", text(obstacle.outline()), "");
+        out.append("/>\n");
+    }
+
+    private void ditch(Ditch ditch) {
+        out.append("  <ditch");
+        named(ditch);
+        attribute("depth", text(ditch.depth()), "");
+        attribute("points", text(ditch.outline()), "");
+        out.append("/>\n");
+    }
+
+    private void actor(Actor actor) {
+        ActorForm form = ActorForm.of(actor);
+        out.append("  <actor");
+        named(actor);
+        attribute("colour", actor.colour(), "");
+        for (String name : ActorForm.BODY) {
+            if (!form.isDefault(name)) {
+                attribute(name, text(form.body(name)), "");
+            }
+        }
+        out.append(">\n");
+        for (Ability ability : form.abilities()) {
+            out.append("    <").append(ability.key());
+            for (String name : ActorForm.names(ability)) {
+                if (!form.isDefault(ability, name)) {
+                    attribute(name, text(form.number(ability, name)), "");
+                }
+            }
+            out.append("/>\n");
+        }
+        out.append("  </actor>\n");
+    }
+
+    private void task(Task task) {
+        if (task instanceof Journey journey) {
+            journey(journey);
+        }
+    }
+
+    private void journey(Journey journey) {
+        out.append("  <journey");
+        named(journey);
+        attribute("actor", journey.actor(), "");
+        attribute("start", text(journey.start()), "");
+        attribute("goal", text(journey.goal()), "");
+        attribute("ordering", Orderings.text(journey.ordering()), "optimal");
+        attribute("spread", journey.spread().name().toLowerCase(Locale.ROOT), "breadth");
+        attribute("slice", Integer.toString(journey.slice()), Integer.toString(Journey.DEFAULT_SLICE));
+        attribute("expansions", Long.toString(journey.expansions()), Long.toString(Journey.DEFAULT_EXPANSIONS));
+        attribute("seed", Long.toString(journey.seed()), "1");
+        if (journey.preferences().equals(Preferences.NEUTRAL)) {
+            out.append("/>\n");
+            return;
+        }
+        out.append(">\n    <prefer");
+        for (Ability ability : Ability.values()) {
+            attribute(ability.key(), Orderings.factor(journey.preferences().of(ability)), "1");
+        }
+        out.append("/>\n  </journey>\n");
+    }
+
+    private void named(Element element) {
+        attribute("id", element.id(), null);
+        attribute("label", element.label(), "");
+    }
+
+    /** Adds an attribute unless its value is the one that absence stands for. */
+    private void attribute(String name, String value, String absent) {
+        if (value.equals(absent)) {
+            return;
+        }
+        out.append(' ').append(name).append("=\"");
+        for (int i = 0; i < value.length(); i++) {
+            char c = value.charAt(i);
+            switch (c) {
+                case '&' -> out.append("&amp;");
+                case '<' -> out.append("&lt;");
+                case '>' -> out.append("&gt;");
+                case '"' -> out.append("&quot;");
+                case '\t', '\n', '\r' -> out.append("&#").append((int) c).append(';');
+                default -> out.append(c);
+            }
+        }
+        out.append('"');
+    }
+}

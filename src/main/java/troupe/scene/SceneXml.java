@@ -1,0 +1,75 @@
+package troupe.scene;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+
+/**
+ * Reads and writes scene files ({@code urn:troupe:scene:1}). What {@link #write(Scene)} wrote reads back
+ * equal and is written again byte for byte. Reading takes O(size) time and memory; files of more than
+ * {@value #MAX_BYTES} bytes are refused.
+ */
+public final class SceneXml {
+    /** The namespace of scene files. */
+    public static final String NAMESPACE = "urn:troupe:scene:1";
+
+    /** The largest file that is read, in bytes. */
+    public static final int MAX_BYTES = 64 << 20;
+
+    private SceneXml() {}
+
+    /**
+     * Reads a scene file.
+     *
+     * @throws SceneException if it is not a scene file, with line and column of each mistake
+     * @throws IOException if it cannot be read
+     */
+    public static SceneSource read(Path file) throws SceneException, IOException {
+        try (InputStream in = Files.newInputStream(file)) {
+            return read(in, file.toString());
+        }
+    }
+
+    /**
+     * Reads a scene from a stream, which stays open.
+     *
+     * @param name what to call the source in messages
+     * @throws SceneException if it is not a scene, with line and column of each mistake
+     * @throws IOException if it cannot be read
+     */
+    public static SceneSource read(InputStream in, String name) throws SceneException, IOException {
+        byte[] bytes = in.readNBytes(MAX_BYTES + 1);
+        if (bytes.length > MAX_BYTES) {
+            throw new SceneException(name, 0, "more than " + MAX_BYTES + " bytes", "split the scene");
+        }
+        return new SceneReader(name).read(bytes);
+    }
+
+    /** Returns a scene as the text of a scene file, lines ended by a line feed. */
+    public static String write(Scene scene) {
+        return new SceneWriter().write(scene);
+    }
+
+    /**
+     * Writes a scene file as a whole: a temporary file beside it takes its place when it is complete, so
+     * that at any moment the old file or the new one is there.
+     *
+     * @throws IOException if it cannot be written; then the old file is untouched
+     */
+    public static void write(Scene scene, Path file) throws IOException {
+        Path target = file.toAbsolutePath();
+        Path part = Files.createTempFile(target.getParent(), "." + target.getFileName(), ".part");
+        try {
+            try (OutputStream out = Files.newOutputStream(part)) {
+                out.write(write(scene).getBytes(StandardCharsets.UTF_8));
+            }
+            Files.move(part, target, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+        } finally {
+            Files.deleteIfExists(part);
+        }
+    }
+}

@@ -1,0 +1,97 @@
+package troupe.scene;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import troupe.geometry.Overlap;
+import troupe.geometry.Polygon;
+import troupe.geometry.SelfIntersection;
+import troupe.scene.SceneChecks.Findings;
+
+/** Checks obstacles and ditches: their outlines, heights and overlaps. */
+final class ShapeRules {
+    /** Overlaps of this many metres or less come from rounding and are not reported. */
+    private static final double TOUCH = 1e-6;
+
+    private ShapeRules() {}
+
+    static void outlines(Scene scene, Findings findings) {
+        scene.obstacles().forEach(o -> outline(scene.world(), o.id(), o.outline(), findings));
+        scene.ditches().forEach(d -> outline(scene.world(), d.id(), d.outline(), findings));
+    }
+
+    private static void outline(World world, String id, Polygon outline, Findings findings) {
+        if (!finite(outline)) {
+            findings.error(id, "a corner is not finite", "give every corner finite numbers");
+            return;
+        }
+        if (outline.size() < 3) {
+            findings.error(id, "the polygon has " + outline.size() + " corners", "give it at least 3");
+            return;
+        }
+        SelfIntersection.find(outline)
+                .ifPresent(edges -> findings.error(
+                        id,
+                        edges.first() == edges.second()
+                                ? "corners " + (edges.first() + 1) + " and the next are the same"
+                                : "the outline meets itself: its edges " + (edges.first() + 1) + " and "
+                                        + (edges.second() + 1),
+                        edges.first() == edges.second() ? "take one of them away" : "move a corner of one of them"));
+        if (outline.signedArea() == 0) {
+            findings.error(id, "the polygon has no area", "move a corner off the line");
+        }
+        var box = outline.bounds();
+        if (box.maxX() <= 0 || box.maxY() <= 0 || box.minX() >= world.width() || box.minY() >= world.depth()) {
+            findings.error(id, "the polygon lies outside the world", "move it inside, or take it away");
+        } else if (box.minX() < -TOUCH
+                || box.minY() < -TOUCH
+                || box.maxX() > world.width() + TOUCH
+                || box.maxY() > world.depth() + TOUCH) {
+            findings.warning(id, "the polygon sticks out of the world", "move it inside; what is outside counts as solid anyway");
+        }
+    }
+
+    private static boolean finite(Polygon outline) {
+        for (int i = 0; i < outline.size(); i++) {
+            if (!Double.isFinite(outline.x(i)) || !Double.isFinite(outline.y(i))) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    static void stretches(Scene scene, Findings findings) {
+        for (Obstacle obstacle : scene.obstacles()) {
+            findings.number(obstacle.id(), "height", obstacle.height(), 0, false);
+            findings.number(obstacle.id(), "offset", obstacle.offset(), 0, true);
+            findings.number(obstacle.id(), "mass", obstacle.mass(), 0, false);
+        }
+        scene.ditches().forEach(ditch -> findings.number(ditch.id(), "depth", ditch.depth(), 0, false));
+    }
+
+    /** Sweeps over x, so that scenes of thousands of separate obstacles stay cheap. */
+    static void overlaps(Scene scene, Findings findings) {
+        List<Obstacle> order = new ArrayList<>(scene.obstacles());
+        order.removeIf(o -> !finite(o.outline()) || o.outline().size() < 3);
+        order.sort(Comparator.comparingDouble(o -> o.outline().bounds().minX()));
+        List<Obstacle> open = new ArrayList<>();
+        for (Obstacle next : order) {
+            open.removeIf(o -> o.outline().bounds().maxX() <= next.outline().bounds().minX() + TOUCH);
+            for (Obstacle other : open) {
+                if (shareSpace(other, next)) {
+                    findings.warning(
+                            next.id(),
+                            "it fills the same space as '" + other.id() + "'",
+                            "move one of them, or leave it if that is meant");
+                }
+            }
+            open.add(next);
+        }
+    }
+
+    private static boolean shareSpace(Obstacle a, Obstacle b) {
+        return Math.min(a.top(), b.top()) - Math.max(a.offset(), b.offset()) > TOUCH
+                && a.outline().bounds().grown(-TOUCH / 2).meets(b.outline().bounds().grown(-TOUCH / 2))
+                && Overlap.of(a.outline(), b.outline());
+    }
+}
