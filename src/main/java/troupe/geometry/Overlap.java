@@ -36,8 +36,7 @@ public final class Overlap {
                 double t = (cuts[k] + cuts[k + 1]) / 2;
                 double dx = a.x(i) - a.x(j);
                 double dy = a.y(i) - a.y(j);
-                if (cuts[k + 1] > cuts[k]
-                        && b.contains(a.x(j) + t * dx - inward * dy, a.y(j) + t * dy + inward * dx)) {
+                if (cuts[k + 1] > cuts[k] && b.contains(a.x(j) + t * dx - inward * dy, a.y(j) + t * dy + inward * dx)) {
                     return true;
                 }
             }

@@ -24,8 +24,7 @@ public final class Segments {
     }
 
     /** Tells whether the closed segments {@code a-b} and {@code c-d} share a point; exact. */
-    public static boolean meet(
-            double ax, double ay, double bx, double by, double cx, double cy, double dx, double dy) {
+    public static boolean meet(double ax, double ay, double bx, double by, double cx, double cy, double dx, double dy) {
         if (Math.max(ax, bx) < Math.min(cx, dx)
                 || Math.max(cx, dx) < Math.min(ax, bx)
                 || Math.max(ay, by) < Math.min(cy, dy)

@@ -20,7 +20,9 @@ public final class SelfIntersection {
         int n = polygon.size();
         Integer[] order = new Integer[n];
         Arrays.setAll(order, i -> i);
-        Arrays.sort(order, Comparator.comparingDouble((Integer i) -> minX(polygon, i)).thenComparing(i -> i));
+        Arrays.sort(
+                order,
+                Comparator.comparingDouble((Integer i) -> minX(polygon, i)).thenComparing(i -> i));
         int[] open = new int[n];
         int count = 0;
         for (int next : order) {

@@ -44,18 +44,23 @@ final class ActorForm {
         Actor.Walk w = actor.walk();
         form.abilities.put(Ability.WALK, new double[] {w.radius(), w.energy(), w.speed()});
         actor.sidestep()
-                .ifPresent(a ->
-                        form.abilities.put(Ability.SIDESTEP, new double[] {a.radius(), a.energy(), a.speed()}));
+                .ifPresent(a -> form.abilities.put(Ability.SIDESTEP, new double[] {a.radius(), a.energy(), a.speed()}));
         actor.stride()
                 .ifPresent(a -> form.abilities.put(
                         Ability.STRIDE, new double[] {a.gait(), a.maxGap(), a.energy(), a.takeOff(), a.speed()}));
         actor.vault()
                 .ifPresent(a -> form.abilities.put(Ability.VAULT, new double[] {
-                    a.minHeight(), a.maxHeight(), a.reach(), a.bodyHeight(), a.maxJump(), a.energy(), a.takeOff(), a.speed()
+                    a.minHeight(),
+                    a.maxHeight(),
+                    a.reach(),
+                    a.bodyHeight(),
+                    a.maxJump(),
+                    a.energy(),
+                    a.takeOff(),
+                    a.speed()
                 }));
         actor.move()
-                .ifPresent(a ->
-                        form.abilities.put(Ability.MOVE, new double[] {a.energy(), a.turnEnergy(), a.speed()}));
+                .ifPresent(a -> form.abilities.put(Ability.MOVE, new double[] {a.energy(), a.turnEnergy(), a.speed()}));
         return form;
     }
 
@@ -154,8 +159,7 @@ final class ActorForm {
                 new Actor.Walk(w[0], w[1], w[2]),
                 numbers(Ability.SIDESTEP).map(n -> new Actor.Sidestep(n[0], n[1], n[2])),
                 numbers(Ability.STRIDE).map(n -> new Actor.Stride(n[0], n[1], n[2], n[3], n[4])),
-                numbers(Ability.VAULT)
-                        .map(n -> new Actor.Vault(n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7])),
+                numbers(Ability.VAULT).map(n -> new Actor.Vault(n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7])),
                 numbers(Ability.MOVE).map(n -> new Actor.Move(n[0], n[1], n[2])));
     }
 

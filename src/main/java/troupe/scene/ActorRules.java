@@ -28,10 +28,22 @@ final class ActorRules {
     static void relations(Scene scene, Findings findings) {
         for (Actor actor : scene.actors()) {
             String id = actor.id();
-            atMost(findings, id, "footRadius", actor.footRadius(), "walk.radius", actor.walk().radius());
+            atMost(
+                    findings,
+                    id,
+                    "footRadius",
+                    actor.footRadius(),
+                    "walk.radius",
+                    actor.walk().radius());
             actor.sidestep().ifPresent(s -> {
                 atMost(findings, id, "footRadius", actor.footRadius(), "sidestep.radius", s.radius());
-                atMost(findings, id, "sidestep.radius", s.radius(), "walk.radius", actor.walk().radius());
+                atMost(
+                        findings,
+                        id,
+                        "sidestep.radius",
+                        s.radius(),
+                        "walk.radius",
+                        actor.walk().radius());
             });
             twiceTheStep(findings, id, "bodyHeight", actor.bodyHeight(), actor.stepHeight());
             actor.vault().ifPresent(v -> {

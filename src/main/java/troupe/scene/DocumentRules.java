@@ -23,7 +23,8 @@ final class DocumentRules {
         scene.elements().forEach(element -> {
             String id = element.id();
             if (!ID.matcher(id).matches()) {
-                findings.error(id, "the id '" + id + "' is not allowed", "use a letter or _, then letters, digits, . _ -");
+                findings.error(
+                        id, "the id '" + id + "' is not allowed", "use a letter or _, then letters, digits, . _ -");
             }
             if (!seen.add(id)) {
                 findings.error(id, "the id is used twice", "rename one of the two");

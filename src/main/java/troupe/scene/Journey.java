@@ -58,20 +58,17 @@ public record Journey(
 
     /** Returns this journey with other preferences. */
     public Journey preferring(Preferences changed) {
-        return new Journey(
-                id, label, actor, start, goal, changed, ordering, spread, slice, expansions, seed);
+        return new Journey(id, label, actor, start, goal, changed, ordering, spread, slice, expansions, seed);
     }
 
     /** Returns this journey with another ordering. */
     public Journey with(Ordering changed) {
-        return new Journey(
-                id, label, actor, start, goal, preferences, changed, spread, slice, expansions, seed);
+        return new Journey(id, label, actor, start, goal, preferences, changed, spread, slice, expansions, seed);
     }
 
     /** Returns this journey with another spreading order of NF2. */
     public Journey with(Spread changed) {
-        return new Journey(
-                id, label, actor, start, goal, preferences, ordering, changed, slice, expansions, seed);
+        return new Journey(id, label, actor, start, goal, preferences, ordering, changed, slice, expansions, seed);
     }
 
     /** Returns this journey with other budgets. */
@@ -92,7 +89,6 @@ public record Journey(
 
     /** Returns this journey with another seed. */
     public Journey seeded(long changed) {
-        return new Journey(
-                id, label, actor, start, goal, preferences, ordering, spread, slice, expansions, changed);
+        return new Journey(id, label, actor, start, goal, preferences, ordering, spread, slice, expansions, changed);
     }
 }

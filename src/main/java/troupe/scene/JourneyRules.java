@@ -23,7 +23,11 @@ final class JourneyRules {
                         scene.actors().isEmpty()
                                 ? "add an actor"
                                 : "name one of "
-                                        + String.join(", ", scene.actors().stream().map(Actor::id).toList()));
+                                        + String.join(
+                                                ", ",
+                                                scene.actors().stream()
+                                                        .map(Actor::id)
+                                                        .toList()));
             }
             if (!journey.preferences().allows(Ability.WALK)) {
                 findings.error(journey.id(), "walking is switched off", "give walk a factor; every actor walks");

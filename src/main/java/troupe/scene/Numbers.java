@@ -85,7 +85,12 @@ final class Numbers {
             if (parts.length != 2) {
                 throw new IllegalArgumentException("corner '" + shortened(corner) + "' where x,y is expected");
             }
-            corners.add(new double[] {number(parts[0]), number(parts[1])});
+            double[] read = {number(parts[0]), number(parts[1])};
+            if (!Double.isFinite(read[0]) || !Double.isFinite(read[1])) {
+                throw new IllegalArgumentException(
+                        "corner '" + shortened(corner) + "' where finite numbers are expected");
+            }
+            corners.add(read);
         }
         return new Polygon(
                 corners.stream().mapToDouble(c -> c[0]).toArray(),

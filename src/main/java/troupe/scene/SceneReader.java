@@ -28,6 +28,8 @@ final class SceneReader extends DefaultHandler {
     /** After so many mistakes the rest of a file is not looked at. */
     private static final int MAX_PROBLEMS = 50;
 
+    private static final Schema SCHEMA = schema();
+
     private final String name;
     private final List<Problem> problems = new ArrayList<>();
     private final Map<String, Integer> lines = new HashMap<>();
@@ -80,7 +82,7 @@ final class SceneReader extends DefaultHandler {
         try {
             SAXParserFactory factory = SAXParserFactory.newDefaultInstance();
             factory.setNamespaceAware(true);
-            factory.setSchema(schema());
+            factory.setSchema(SCHEMA);
             factory.setFeature(XMLConstants.FEATURE_SECURE_PROCESSING, true);
             factory.setFeature("http://apache.org/xml/features/disallow-doctype-decl", true);
             return factory.newSAXParser().getXMLReader();
@@ -89,11 +91,15 @@ final class SceneReader extends DefaultHandler {
         }
     }
 
-    private static Schema schema() throws SAXException {
+    private static Schema schema() {
         URL url = SceneReader.class.getResource("/troupe/scene/scene.xsd");
-        SchemaFactory factory = SchemaFactory.newDefaultInstance();
-        factory.setFeature(XMLConstants.FEATURE_SECURE_PROCESSING, true);
-        return factory.newSchema(url);
+        try {
+            SchemaFactory factory = SchemaFactory.newDefaultInstance();
+            factory.setFeature(XMLConstants.FEATURE_SECURE_PROCESSING, true);
+            return factory.newSchema(url);
+        } catch (SAXException e) {
+            throw new IllegalStateException("the program's own schema " + url + " cannot be read", e);
+        }
     }
 
     private void problem(int line, int column, String element, String message, String cure) {
@@ -138,8 +144,9 @@ final class SceneReader extends DefaultHandler {
             case "scene" -> title = text(a, "title", "");
             case "world" -> world = world(a);
             case "obstacle" -> obstacles.add(obstacle(id, a));
-            case "ditch" -> ditches.add(new Ditch(
-                    id, text(a, "label", ""), Numbers.polygon(required(a, "points")), number(a, "depth", 0)));
+            case "ditch" ->
+                ditches.add(new Ditch(
+                        id, text(a, "label", ""), Numbers.polygon(required(a, "points")), number(a, "depth", 0)));
             case "actor" -> startActor(id, a);
             case "journey" -> journey = journey(id, a);
             case "prefer" -> prefer(a);
@@ -195,7 +202,7 @@ final class SceneReader extends DefaultHandler {
                 Preferences.NEUTRAL,
                 Orderings.ordering(text(a, "ordering", "optimal")),
                 Journey.Spread.valueOf(text(a, "spread", "breadth").strip().toUpperCase(java.util.Locale.ROOT)),
-                Math.toIntExact(whole(a, "slice", Journey.DEFAULT_SLICE)),
+                (int) whole(a, "slice", Journey.DEFAULT_SLICE),
                 whole(a, "expansions", Journey.DEFAULT_EXPANSIONS),
                 whole(a, "seed", 1));
     }

@@ -25,7 +25,10 @@ final class SceneWriter {
         out.append("  <world");
         attribute("width", text(world.width()), "");
         attribute("depth", text(world.depth()), "");
-        attribute("cell", text(world.cell()), text(World.of(world.width(), world.depth()).cell()));
+        attribute(
+                "cell",
+                text(world.cell()),
+                text(World.of(world.width(), world.depth()).cell()));
         out.append("/>\n");
     }
 

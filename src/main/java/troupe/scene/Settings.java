@@ -67,20 +67,27 @@ public final class Settings {
                     journey((j, v) -> j.preferring(j.preferences().with(ability, Orderings.factor(v)))));
         }
         for (String name : ActorForm.BODY) {
-            all.put(name, (scene, journey, value) -> withActor(scene, journey, form -> form.setBody(name, finite(value))));
+            all.put(
+                    name,
+                    (scene, journey, value) -> withActor(scene, journey, form -> form.setBody(name, finite(value))));
         }
         for (Ability ability : Ability.values()) {
             for (String name : ActorForm.names(ability)) {
-                all.put(ability.key() + "." + name, (scene, journey, value) -> withActor(scene, journey, form -> {
-                    if (!form.has(ability)) {
-                        throw new IllegalArgumentException("the actor '" + journey.actor() + "' cannot " + ability.key());
-                    }
-                    form.set(ability, name, finite(value));
-                }));
+                all.put(
+                        ability.key() + "." + name,
+                        (scene, journey, value) -> withActor(scene, journey, form -> {
+                            if (!form.has(ability)) {
+                                throw new IllegalArgumentException(
+                                        "the actor '" + journey.actor() + "' cannot " + ability.key());
+                            }
+                            form.set(ability, name, finite(value));
+                        }));
             }
         }
-        all.put("cell", (scene, journey, value) -> scene.with(
-                new World(scene.world().width(), scene.world().depth(), finite(value))));
+        all.put(
+                "cell",
+                (scene, journey, value) -> scene.with(
+                        new World(scene.world().width(), scene.world().depth(), finite(value))));
         return all;
     }
 

@@ -3,6 +3,7 @@ package troupe.scene;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import troupe.geometry.Box;
 import troupe.geometry.Overlap;
 import troupe.geometry.Polygon;
 import troupe.geometry.SelfIntersection;
@@ -40,14 +41,17 @@ final class ShapeRules {
         if (outline.signedArea() == 0) {
             findings.error(id, "the polygon has no area", "move a corner off the line");
         }
-        var box = outline.bounds();
+        Box box = outline.bounds();
         if (box.maxX() <= 0 || box.maxY() <= 0 || box.minX() >= world.width() || box.minY() >= world.depth()) {
             findings.error(id, "the polygon lies outside the world", "move it inside, or take it away");
         } else if (box.minX() < -TOUCH
                 || box.minY() < -TOUCH
                 || box.maxX() > world.width() + TOUCH
                 || box.maxY() > world.depth() + TOUCH) {
-            findings.warning(id, "the polygon sticks out of the world", "move it inside; what is outside counts as solid anyway");
+            findings.warning(
+                    id,
+                    "the polygon sticks out of the world",
+                    "move it inside; what is outside counts as solid anyway");
         }
     }
 
@@ -76,7 +80,8 @@ final class ShapeRules {
         order.sort(Comparator.comparingDouble(o -> o.outline().bounds().minX()));
         List<Obstacle> open = new ArrayList<>();
         for (Obstacle next : order) {
-            open.removeIf(o -> o.outline().bounds().maxX() <= next.outline().bounds().minX() + TOUCH);
+            open.removeIf(
+                    o -> o.outline().bounds().maxX() <= next.outline().bounds().minX() + TOUCH);
             for (Obstacle other : open) {
                 if (shareSpace(other, next)) {
                     findings.warning(
@@ -91,7 +96,15 @@ final class ShapeRules {
 
     private static boolean shareSpace(Obstacle a, Obstacle b) {
         return Math.min(a.top(), b.top()) - Math.max(a.offset(), b.offset()) > TOUCH
-                && a.outline().bounds().grown(-TOUCH / 2).meets(b.outline().bounds().grown(-TOUCH / 2))
+                && a.outline()
+                        .bounds()
+                        .grown(-TOUCH / 2)
+                        .meets(b.outline().bounds().grown(-TOUCH / 2))
                 && Overlap.of(a.outline(), b.outline());
+    }
+
+    private static boolean deepens(Box a, Box b) {
+        return Math.min(a.maxX(), b.maxX()) - Math.max(a.minX(), b.minX()) > TOUCH
+                && Math.min(a.maxY(), b.maxY()) - Math.max(a.minY(), b.minY()) > TOUCH;
     }
 }

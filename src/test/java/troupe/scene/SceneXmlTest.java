@@ -1,0 +1,162 @@
+package troupe.scene;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import troupe.geometry.Polygon;
+
+class SceneXmlTest {
+
+    static Stream<Path> samples() throws IOException {
+        return Files.list(Path.of("scenes/unified"))
+                .filter(p -> p.toString().endsWith(".xml"))
+                .sorted();
+    }
+
+    static Scene read(String text) throws SceneException, IOException {
+        return SceneXml.read(new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)), "test.xml")
+                .scene();
+    }
+
+    private static String scene(String body) {
+        return "<scene xmlns=\"urn:troupe:scene:1\">\n<world width=\"10\" depth=\"8\"/>\n" + body + "\n</scene>";
+    }
+
+    private static SceneException refused(String text) {
+        return assertThrows(SceneException.class, () -> read(text));
+    }
+
+    @ParameterizedTest
+    @MethodSource("samples")
+    void samplesAreInTheFormOfTheWriterAndFreeOfProblems(Path file) throws Exception {
+        SceneSource source = SceneXml.read(file);
+        assertEquals(Files.readString(file), SceneXml.write(source.scene()));
+        assertEquals(List.of(), SceneChecks.check(source.scene(), source.lines()));
+    }
+
+    @Test
+    void readsWhatItWroteWithEverySettingOffItsDefault() throws Exception {
+        Actor standard = Actor.standard("a");
+        Actor odd = new Actor(
+                "a-1.b",
+                "Ann \"the <tall> & 高\"\n",
+                "#00ff7F",
+                1.9,
+                0.05,
+                0.3,
+                0.5,
+                new Actor.Walk(0.3, 1.25, 1.5),
+                Optional.empty(),
+                Optional.of(new Actor.Stride(1, 1.1, 0.1 + 0.2, 1e-7, 2)),
+                standard.vault(),
+                Optional.empty());
+        Scene scene = new Scene(
+                "Title",
+                new World(10, 8, 0.1),
+                List.of(
+                        new Obstacle("o", "", Polygon.of(0, 0, 1, 0, 0.1, 1 / 3.0), 0.5, 1, true, 3.5, "#112233"),
+                        new Obstacle("p", "P", Polygon.rectangle(3, 3, 4, 4), 0, 2, false, 20, "")),
+                List.of(new Ditch("d", "", Polygon.rectangle(5, 5, 6, 6), 1)),
+                List.of(odd, standard),
+                List.of(
+                        Journey.of("j", "a", Place.of(1, 2), Place.of(3, 4, 0.5)),
+                        new Journey(
+                                "k",
+                                "K",
+                                "a",
+                                Place.of(1, 2),
+                                Place.of(3, 4),
+                                Preferences.NEUTRAL
+                                        .with(Ability.VAULT, Preferences.OFF)
+                                        .with(Ability.WALK, 2),
+                                new Ordering.Paper(2, 0.5),
+                                Journey.Spread.CLEARANCE,
+                                7,
+                                99,
+                                -5),
+                        Journey.of("l", "a", Place.of(1, 2), Place.of(3, 4)).with(new Ordering.Bounded(1.5))));
+        String text = SceneXml.write(scene);
+        assertEquals(scene, read(text));
+        assertEquals(text, SceneXml.write(read(text)));
+    }
+
+    @Test
+    void writesTheSameInAnyLocale() {
+        Locale before = Locale.getDefault();
+        Scene scene = new Scene("", new World(1.5, 2.5, 0.01), List.of(), List.of(), List.of(), List.of());
+        String english = SceneXml.write(scene);
+        try {
+            Locale.setDefault(Locale.GERMANY);
+            assertEquals(english, SceneXml.write(scene));
+        } finally {
+            Locale.setDefault(before);
+        }
+    }
+
+    @Test
+    void namesLineAndColumnOfAnUnknownElement() {
+        SceneException e = refused(scene("<obstacles/>"));
+        assertTrue(e.getMessage().startsWith("test.xml: line 3: column "), e.getMessage());
+        assertTrue(e.getMessage().contains("obstacles"), e.getMessage());
+        assertFalse(e.getMessage().contains("\n"));
+    }
+
+    @Test
+    void namesEveryMistakeAtOnce() {
+        SceneException e = refused(scene("<ditch id=\"d\" depth=\"deep\" points=\"0,0 1,1 1,0\"/>\n"
+                + "<actor id=\"a\" bodyHeight=\"1,7\"><walk/></actor>\n"
+                + "<journey id=\"j\" actor=\"a\" start=\"1\" goal=\"2,2\"/>"));
+        assertEquals(3, e.problems().size(), e.problems().toString());
+        assertEquals(List.of(3, 4, 5), e.problems().stream().map(Problem::line).toList());
+        assertTrue(e.getMessage().endsWith("(and 2 more)"), e.getMessage());
+    }
+
+    @Test
+    void refusesDoctypesEntitiesAndOtherEncodingsOfHarm() {
+        refused("<!DOCTYPE scene [<!ENTITY x SYSTEM \"file:///etc/passwd\">]>" + scene("&x;"));
+        refused("");
+        refused("not xml");
+        refused("<scene xmlns=\"urn:troupe:scene:2\"/>");
+        refused(scene("<obstacle id=\"o\" height=\"1\" points=\"\"/>"));
+        refused(scene("<obstacle id=\"o\" height=\"1\" points=\"0,0 NaN,1 1,0\"/>"));
+        refused(scene("<journey id=\"j\" actor=\"a\" start=\"1,1\" goal=\"2,2\" slice=\"99999999999\"/>"));
+        refused(scene("<journey id=\"j\" actor=\"a\" start=\"1,1\" goal=\"2,2\"><prefer walk=\"-1\"/></journey>"));
+        assertThrows(
+                SceneException.class,
+                () -> SceneXml.read(new ByteArrayInputStream(new byte[] {'<', (byte) 0xff, (byte) 0xfe}), "x"));
+    }
+
+    @Test
+    void replacesAFileAsAWhole(@TempDir Path folder) throws Exception {
+        Path file = folder.resolve("scene.xml");
+        Scene scene = new Scene("one", World.of(4, 3), List.of(), List.of(), List.of(), List.of());
+        SceneXml.write(scene, file);
+        SceneXml.write(new Scene("two", World.of(4, 3), List.of(), List.of(), List.of(), List.of()), file);
+        assertEquals("two", SceneXml.read(file).scene().title());
+        try (Stream<Path> files = Files.list(folder)) {
+            assertEquals(1, files.count());
+        }
+    }
+
+    @Test
+    void documentsTheSchemaThatItUses() throws IOException {
+        assertEquals(
+                Files.readString(Path.of("src/main/resources/troupe/scene/scene.xsd")),
+                Files.readString(Path.of("docs/scene.xsd")));
+    }
+}
