@@ -96,14 +96,11 @@ final class ShapeRules {
 
     private static boolean shareSpace(Obstacle a, Obstacle b) {
         return Math.min(a.top(), b.top()) - Math.max(a.offset(), b.offset()) > TOUCH
-                && a.outline()
-                        .bounds()
-                        .grown(-TOUCH / 2)
-                        .meets(b.outline().bounds().grown(-TOUCH / 2))
+                && overlapDeeply(a.outline().bounds(), b.outline().bounds())
                 && Overlap.of(a.outline(), b.outline());
     }
 
-    private static boolean deepens(Box a, Box b) {
+    private static boolean overlapDeeply(Box a, Box b) {
         return Math.min(a.maxX(), b.maxX()) - Math.max(a.minX(), b.minX()) > TOUCH
                 && Math.min(a.maxY(), b.maxY()) - Math.max(a.minY(), b.minY()) > TOUCH;
     }
