@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import troupe.grid.Nf2;
 import troupe.grid.Region;
 import troupe.grid.RegionBuilder;
 import troupe.run.Engine;
@@ -37,6 +38,7 @@ public final class JourneyEngine implements Engine {
 
     private Outcome outcome = Outcome.RUNNING;
     private Region region;
+    private Nf2 nf2;
     private Standpoint start;
     private Standpoint goal;
     private JourneySearch search;
@@ -97,11 +99,19 @@ public final class JourneyEngine implements Engine {
         }
         JourneyQuery.Potential potential = JourneyQuery.Potential.NONE;
         if (journey.ordering() instanceof Ordering.Paper) {
-            throw new IllegalArgumentException("ordering=paper; needs the NF2 potential");
+            potential = field()::potential;
         }
         JourneyQuery query = new JourneyQuery(
                 start.configuration(), goal.configuration(), journey.ordering(), potential, journey.expansions());
         times.measure(StageTimes.SEARCH, () -> search = new JourneySearch(new JourneyWorkspace(region), costs, query));
+    }
+
+    /** Returns the NF2 field of the goal, made when it is first asked for. */
+    private Nf2 field() {
+        if (nf2 == null) {
+            times.measure(StageTimes.NF2, () -> nf2 = new Nf2(region).compute(goal.configuration(), journey.spread()));
+        }
+        return nf2;
     }
 
     private long searchOn(long budget) {

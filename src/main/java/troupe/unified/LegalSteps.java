@@ -2,6 +2,7 @@ package troupe.unified;
 
 import troupe.grid.Kind;
 import troupe.grid.Region;
+import troupe.scene.Ability;
 
 /**
  * Decides whether a label may step to a neighbour, and what it carries on: {@code STABLE} and {@code
@@ -45,7 +46,10 @@ final class LegalSteps {
      * @param direction the direction of the step
      */
     boolean check(int from, double usedUp, int begun, int to, int direction) {
-        return to < spans && from < spans && stands(from, usedUp, to, direction);
+        if (to < spans) {
+            return from < spans ? stands(from, usedUp, to, direction) : lands(from, begun, to, direction);
+        }
+        return from < spans ? takesOff(from, to, direction) : crosses(usedUp, begun, to, direction);
     }
 
     private boolean stands(int from, double usedUp, int to, int direction) {
@@ -53,6 +57,37 @@ final class LegalSteps {
         used = region.kind(to) == Kind.BORDER ? usedUp + length(direction) : 0;
         cost = costs.standing(region.abilities(from) & region.abilities(to), direction);
         return cost < JourneyCosts.BLOCKED && used <= costs.limit(Kind.BORDER);
+    }
+
+    private boolean takesOff(int from, int to, int direction) {
+        byte kind = region.kind(to);
+        begin = from;
+        used = length(direction);
+        cost = costs.crossing(kind, direction) + costs.takeOffUnits(kind);
+        return canTakeOff(from)
+                && region.elevation(from) == region.elevation(to)
+                && cost < JourneyCosts.BLOCKED
+                && used <= costs.limit(kind);
+    }
+
+    private boolean crosses(double usedUp, int begun, int to, int direction) {
+        byte kind = region.kind(to);
+        begin = begun;
+        used = usedUp + length(direction);
+        cost = costs.crossing(kind, direction);
+        return cost < JourneyCosts.BLOCKED && used <= costs.limit(kind);
+    }
+
+    private boolean lands(int from, int begun, int to, int direction) {
+        byte kind = region.kind(from);
+        begin = NONE;
+        used = 0;
+        cost = costs.crossing(kind, direction);
+        return canTakeOff(to) && cost < JourneyCosts.BLOCKED && region.straight(begun, to, kind);
+    }
+
+    private boolean canTakeOff(int span) {
+        return region.kind(span) == Kind.STABLE && (region.abilities(span) & Ability.WALK.bit()) != 0;
     }
 
     private double length(int direction) {

@@ -21,6 +21,9 @@ import troupe.unified.SweptBody.Line;
  * by at most {@code r - sqrt(r² - s²/4)}, s the length of the step, because only its ends keep r.
  */
 final class Smoothing {
+    /** Length in metres of the slope from one floor to the next. */
+    private static final double SLOPE = 0.15;
+
     private final Region region;
     private final SweptBody body;
 
@@ -31,7 +34,8 @@ final class Smoothing {
 
     /**
      * Returns the smoothed line, {@code x, y, z} in metres, of a part of a path that is travelled with one
-     * ability on spans; it keeps both ends.
+     * ability on spans; it keeps both ends. Where the floor changes the feet keep to the higher floor all
+     * along the step and rise, or sink, within {@link #SLOPE} metres before, or after it.
      *
      * @param path configurations of spans, each a neighbour of the one before
      */
@@ -41,16 +45,54 @@ final class Smoothing {
         for (int i = 1; i <= path.length; i++) {
             if (i == path.length || !isAlike(path[begin], path[i])) {
                 double floor = region.elevation(path[begin]);
-                if (begin > 0) {
-                    addStep(path[begin - 1], path[begin], points);
-                }
-                for (Point p : taut(path, begin, i, ability)) {
-                    add(points, p.x(), p.y(), floor);
-                }
+                double entry = begin == 0 ? floor : Math.max(floor, region.elevation(path[begin - 1]));
+                double exit = i == path.length ? floor : Math.max(floor, region.elevation(path[i]));
+                addLevel(points, taut(path, begin, i, ability), floor, entry, exit);
                 begin = i;
             }
         }
+        settle(points, 0, region.elevation(path[0]));
+        settle(points, points.size() - 1, region.elevation(path[path.length - 1]));
         return points;
+    }
+
+    /** Puts the feet down at an end from which there was no room for a slope. */
+    private static void settle(List<double[]> points, int end, double floor) {
+        double[] at = points.get(end);
+        if (at[2] != floor) {
+            points.add(end == 0 ? 0 : end + 1, new double[] {at[0], at[1], floor});
+        }
+    }
+
+    /** Adds a line on one floor whose ends lie at other heights, with slopes to them. */
+    private static void addLevel(List<double[]> points, List<Point> line, double floor, double entry, double exit) {
+        int last = line.size() - 1;
+        if (last == 0) {
+            add(points, line.get(0), Math.max(entry, exit));
+            return;
+        }
+        add(points, line.get(0), entry);
+        if (entry > floor) {
+            add(points, beside(line.get(0), line.get(1), last == 1), floor);
+        }
+        for (Point p : line.subList(1, last)) {
+            add(points, p, floor);
+        }
+        if (exit > floor) {
+            add(points, beside(line.get(last), line.get(last - 1), last == 1), floor);
+        }
+        add(points, line.get(last), exit);
+    }
+
+    /** Returns the point where a slope that begins at a point ends on the way to another one. */
+    private static Point beside(Point from, Point to, boolean shared) {
+        double length = from.distance(to);
+        double share = Math.min(SLOPE, shared ? length / 2 : length) / length;
+        return new Point(from.x() + share * (to.x() - from.x()), from.y() + share * (to.y() - from.y()));
+    }
+
+    private static void add(List<double[]> points, Point p, double z) {
+        points.add(new double[] {p.x(), p.y(), z});
     }
 
     private boolean isAlike(int a, int b) {
@@ -64,43 +106,6 @@ final class Smoothing {
         }
         Ground ground = new Ground(region.kind(path[from]), region.elevation(path[from]), ability);
         return new TautString(line -> isFree(line, ground)).pull(centres);
-    }
-
-    /** Adds the point of a step at which the floor changes, on the higher floor. */
-    private void addStep(int from, int to, List<double[]> points) {
-        double low = Math.min(region.elevation(from), region.elevation(to));
-        double high = Math.max(region.elevation(from), region.elevation(to));
-        if (low == high) {
-            return;
-        }
-        boolean rises = region.elevation(to) == high;
-        int lower = rises ? from : to;
-        int upper = rises ? to : from;
-        double on = 0;
-        double off = 1;
-        for (int k = 0; k < 40; k++) {
-            double share = (on + off) / 2;
-            double x = region.x(upper) + share * (region.x(lower) - region.x(upper));
-            double y = region.y(upper) + share * (region.y(lower) - region.y(upper));
-            if (Math.abs(body.floorAt(x, y, low) - high) <= SweptBody.SLACK) {
-                on = share;
-            } else {
-                off = share;
-            }
-        }
-        double x = region.x(upper) + on * (region.x(lower) - region.x(upper));
-        double y = region.y(upper) + on * (region.y(lower) - region.y(upper));
-        add(points, x, y, high);
-    }
-
-    private static void add(List<double[]> points, double x, double y, double z) {
-        if (!points.isEmpty()) {
-            double[] last = points.get(points.size() - 1);
-            if (last[0] == x && last[1] == y && last[2] == z) {
-                return;
-            }
-        }
-        points.add(new double[] {x, y, z});
     }
 
     /** What all cells under a line must have in common. */

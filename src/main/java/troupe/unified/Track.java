@@ -28,7 +28,7 @@ final class Track {
 
     /** Returns {@code x, y, z} at {@code along} metres, {@code 0 <= along <= length()}. Cost O(log points). */
     double[] at(double along) {
-        int i = piece(along);
+        int i = along >= length() ? metres.length - 1 : piece(along);
         double[] b = points.get(i);
         if (i == 0 || along >= metres[i]) {
             return b;

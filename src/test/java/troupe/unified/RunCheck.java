@@ -57,7 +57,11 @@ final class RunCheck {
 
     private void standing(int f, double x, double y, double z, double radius) {
         double least = least(radius);
-        solids(f, x, y, z + actor.stepHeight(), z + actor.bodyHeight(), least);
+        double under = floor(x, y, z + SLACK);
+        if (z > under + actor.stepHeight() + SLACK) {
+            fail(at(f, x, y, z) + " floats over the floor at " + under);
+        }
+        solids(f, x, y, z + actor.stepHeight(), under + actor.bodyHeight(), least);
         for (int k = 0; k < ROUND; k++) {
             double cos = Math.cos(2 * Math.PI * k / ROUND);
             double sin = Math.sin(2 * Math.PI * k / ROUND);
@@ -66,7 +70,7 @@ final class RunCheck {
             }
             double foot = Math.max(0, least(actor.footRadius()) - SLACK);
             double floor = floor(x + foot * cos, y + foot * sin, z + actor.stepHeight() + SLACK);
-            if (floor < z - actor.stepHeight() - SLACK) {
+            if (floor < under - actor.stepHeight() - SLACK) {
                 fail(at(f, x, y, z) + " stands over a drop to " + floor);
             }
         }
