@@ -131,7 +131,9 @@ class JourneyEngineTest implements EngineContract {
     @Test
     void climbsStairsAndLiftsItsFeetBeforeTheirEdges() {
         Run run = plan(
-                block("first", 0.2, 4, 0, 10, 10), block("second", 0.4, 4.6, 0, 10, 10), block("third", 0.6, 5.2, 0, 10, 10));
+                block("first", 0.2, 4, 0, 10, 10),
+                block("second", 0.4, 4.6, 0, 10, 10),
+                block("third", 0.6, 5.2, 0, 10, 10));
         assertPlan(8, List.of("walk"), run);
         int last = run.frames().count() - 1;
         assertEquals(0.6, run.frames().value(last, 2, 0), 1e-12);
@@ -172,8 +174,7 @@ class JourneyEngineTest implements EngineContract {
 
     @Test
     void saysWhichObstacleStandsBetween() {
-        Obstacle wall = new Obstacle(
-                "wall", "Inner wall", Polygon.rectangle(5, 0, 5.2, 10), 0, 3, false, 20, "");
+        Obstacle wall = new Obstacle("wall", "Inner wall", Polygon.rectangle(5, 0, 5.2, 10), 0, 3, false, 20, "");
         Run run = plan(wall, block("table", 0.7, 1, 1, 2, 2));
         Outcome.Infeasible outcome = assertInstanceOf(Outcome.Infeasible.class, run.outcome());
         assertTrue(outcome.reason().contains("'Inner wall'"), outcome.reason());
@@ -200,8 +201,7 @@ class JourneyEngineTest implements EngineContract {
                 block("wall", 0.8, 3, 0, 3.2, 10),
                 new Ditch("canal", "", Polygon.rectangle(6, 0, 6.5, 10), 2)));
         assertEquals(
-                List.of("sidestep", "stride", "vault"),
-                both.report().values().get("would_help"));
+                List.of("sidestep", "stride", "vault"), both.report().values().get("would_help"));
     }
 
     @Test

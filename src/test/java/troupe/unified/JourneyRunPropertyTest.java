@@ -110,13 +110,16 @@ class JourneyRunPropertyTest {
             Region region = Region.of(bare, someone);
             Random random = new Random(SEED * 1000 + i);
             Journey journey = Journey.of("j", someone.id(), place(region, random), place(region, random));
-            Scene scene = new Scene(
-                    "", bare.world(), bare.obstacles(), bare.ditches(), List.of(someone), List.of(journey));
+            Scene scene =
+                    new Scene("", bare.world(), bare.obstacles(), bare.ditches(), List.of(someone), List.of(journey));
             JourneyEngine engine = JourneyEngine.of(scene, journey);
             Run run = engine.finish();
             if (run.outcome().isFound()) {
                 solved++;
-                climbed += run.frames().value(0, 2, 0) != run.frames().value(run.frames().count() - 1, 2, 0) ? 1 : 0;
+                climbed += run.frames().value(0, 2, 0)
+                                != run.frames().value(run.frames().count() - 1, 2, 0)
+                        ? 1
+                        : 0;
                 RunCheck.assertCollisionFree(run, someone, which);
                 assertMoves(run.frames(), which);
                 assertAddsUp(run, engine.path().orElseThrow(), region, which);
@@ -133,7 +136,8 @@ class JourneyRunPropertyTest {
         for (int i = 0; i < SCENES; i++) {
             String which = "seed " + SEED + ", scene " + i;
             Scene scene = scene(new Random(SEED * 1000 + i));
-            JourneyEngine engine = JourneyEngine.of(scene, (Journey) scene.tasks().get(0));
+            JourneyEngine engine =
+                    JourneyEngine.of(scene, (Journey) scene.tasks().get(0));
             Run run = engine.finish();
             if (run.outcome().isFound()) {
                 solved++;
