@@ -13,7 +13,4 @@ module troupe {
     exports troupe.unified;
     exports troupe.paint;
     exports troupe.exchange;
-    exports troupe.work;
-
-    uses troupe.work.Window;
 }

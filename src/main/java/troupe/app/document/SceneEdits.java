@@ -57,6 +57,19 @@ public final class SceneEdits {
         return new Polygon(xs, ys);
     }
 
+    /** Returns an obstacle or a ditch with rounded corners; another element as it is. */
+    public static Element tidied(Element element) {
+        if (element instanceof Obstacle obstacle) {
+            return obstacle.withOutline(rounded(obstacle.outline()));
+        }
+        return element instanceof Ditch ditch ? ditch.withOutline(rounded(ditch.outline())) : element;
+    }
+
+    /** Returns the name to show of an element, its id if the scene does not hold it. */
+    public static String name(Scene scene, String id) {
+        return scene.element(id).map(Element::name).orElse(id);
+    }
+
     /** Returns a length in metres rounded to a tenth of a millimetre. */
     public static double rounded(double metres) {
         return Math.rint(metres * 1e4) / 1e4;

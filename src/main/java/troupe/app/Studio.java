@@ -1,0 +1,95 @@
+package troupe.app;
+
+import java.awt.EventQueue;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import troupe.app.document.SceneDocument;
+import troupe.app.plan.PlanningSteps;
+import troupe.app.session.SceneFiles;
+import troupe.app.session.Session;
+import troupe.run.Engine;
+import troupe.scene.Journey;
+import troupe.scene.Problem;
+import troupe.scene.Scene;
+import troupe.scene.SceneChecks;
+import troupe.scene.SceneException;
+import troupe.scene.SceneXml;
+import troupe.unified.JourneyEngine;
+
+/** Opens the studio. */
+public final class Studio {
+    /** The scene that is opened when none is named: in the working directory, or else in the program. */
+    public static final String DEFAULT_SCENE = "scenes/unified/courtyard.xml";
+
+    private Studio() {}
+
+    /**
+     * Opens a window with a scene, the default one if none is named, and returns once it is there; the
+     * program lives on until the window is closed. Reads the file on the calling thread, which must not
+     * be the event thread.
+     *
+     * @throws SceneException if the file is not a scene
+     * @throws IOException if it cannot be read
+     */
+    public static void open(Optional<Path> scene) throws SceneException, IOException {
+        if (System.getProperty("awt.useSystemAAFontSettings") == null) {
+            System.setProperty("awt.useSystemAAFontSettings", "on");
+        }
+        Path local = Path.of(DEFAULT_SCENE);
+        Optional<Path> file = scene.or(() -> Files.isRegularFile(local) ? Optional.of(local) : Optional.empty());
+        Scene read = file.isPresent() ? FILES.read(file.get()) : builtIn();
+        StudioSettings settings = StudioSettings.ofPerson();
+        EventQueue.invokeLater(() -> {
+            Session session = new Session(new SceneDocument(read, file), STEPS, FILES, EventQueue::invokeLater);
+            new StudioWindow(session, settings, EventQueue::invokeLater).open();
+            session.planNow();
+        });
+    }
+
+    private static Scene builtIn() throws SceneException, IOException {
+        try (InputStream stream = Studio.class.getResourceAsStream("/" + DEFAULT_SCENE)) {
+            if (stream == null) {
+                throw new IOException("the program holds no " + DEFAULT_SCENE + "; name a scene file");
+            }
+            return SceneXml.read(stream, DEFAULT_SCENE).scene();
+        }
+    }
+
+    /** Reads and writes the scene format. */
+    static final SceneFiles FILES = new SceneFiles() {
+        @Override
+        public Scene read(Path file) throws SceneException, IOException {
+            return SceneXml.read(file).scene();
+        }
+
+        @Override
+        public void write(Scene scene, Path file) throws IOException {
+            SceneXml.write(scene, file);
+        }
+    };
+
+    /** Starts tasks and checks as the command line does. */
+    static final PlanningSteps STEPS = new PlanningSteps() {
+        @Override
+        public List<Problem> check(Scene scene) {
+            return SceneChecks.check(scene);
+        }
+
+        @Override
+        public List<Problem> inspect(Scene scene) {
+            return SceneChecks.check(scene);
+        }
+
+        @Override
+        public Engine start(Scene scene, String task) {
+            if (scene.task(task).orElse(null) instanceof Journey journey) {
+                return JourneyEngine.of(scene, journey);
+            }
+            throw new IllegalArgumentException("no journey '" + task + "' in the scene");
+        }
+    };
+}

@@ -1,0 +1,240 @@
+package troupe.app;
+
+import java.awt.event.ActionEvent;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.function.Consumer;
+import javax.swing.AbstractAction;
+import javax.swing.Action;
+import javax.swing.JOptionPane;
+import javax.swing.KeyStroke;
+import troupe.app.canvas.Canvas;
+import troupe.app.canvas.Editing;
+import troupe.app.canvas.Hits;
+import troupe.app.canvas.MeasureTool;
+import troupe.app.canvas.PanTool;
+import troupe.app.canvas.PlaceTool;
+import troupe.app.canvas.SelectTool;
+import troupe.app.canvas.Tool;
+import troupe.app.command.Command;
+import troupe.app.command.Commands;
+import troupe.app.document.Listeners;
+import troupe.app.document.SceneDocument;
+import troupe.app.document.SceneEdits;
+import troupe.app.look.Look;
+import troupe.app.look.Texts;
+import troupe.app.play.Playback;
+import troupe.app.session.OverlayChoice;
+import troupe.app.session.Session;
+import troupe.paint.Theme;
+import troupe.paint.Tone;
+import troupe.scene.Element;
+import troupe.scene.Scene;
+
+/** Makes the one list of everything a person can do in a window, and the tools among it. */
+final class StudioCommands implements AutoCloseable {
+    private static final double ZOOM = 1.25;
+    private static final double NUDGE = 0.05;
+
+    private final StudioWindow window;
+    private final Session session;
+    private final Look look;
+    private final Canvas canvas;
+    private final Commands commands;
+    private final Map<Command, Tool> tools = new LinkedHashMap<>();
+    private final Listeners<Tool> toolTaken = new Listeners<>();
+    private final List<Runnable> leave = new ArrayList<>();
+
+    StudioCommands(StudioWindow window, Look look, Canvas canvas) {
+        this.window = window;
+        this.session = window.session();
+        this.look = look;
+        this.canvas = canvas;
+        this.commands = new Commands(look.texts());
+        addFile();
+        addEdit();
+        addView();
+        addTools();
+        addPlan();
+        addRun();
+        commands.add("help", "about", this::about);
+        nudgeBy("LEFT", -1, 0);
+        nudgeBy("RIGHT", 1, 0);
+        nudgeBy("UP", 0, 1);
+        nudgeBy("DOWN", 0, -1);
+        take(commands.get("select"));
+    }
+
+    /** Returns the list. */
+    Commands commands() {
+        return commands;
+    }
+
+    /** Returns the commands that take a tool in hand. */
+    List<Action> tools() {
+        return List.copyOf(tools.keySet());
+    }
+
+    /** Tells an observer the tool in hand, now and whenever it changes. */
+    void onTool(Consumer<Tool> observer) {
+        toolTaken.add(observer);
+        observer.accept(canvas.tool());
+    }
+
+    private void addFile() {
+        FileDialogs files = new FileDialogs(window.frame(), session, look);
+        commands.add("file", "open", files::open);
+        commands.separate();
+        commands.add("file", "save", files::save);
+        commands.add("file", "saveas", files::saveAs);
+        commands.separate();
+        commands.add("file", "quit", window::close);
+    }
+
+    private void addEdit() {
+        SceneDocument document = session.document();
+        commands.add("edit", "undo", document.history().undoAction());
+        commands.add("edit", "redo", document.history().redoAction());
+        commands.separate();
+        commands.add("edit", "selectall", this::selectAll);
+        commands.add("edit", "delete", this::delete);
+        commands.separate();
+        commands.add("edit", "search", window::search);
+    }
+
+    private void addView() {
+        commands.add("view", "zoomin", () -> canvas.zoom(ZOOM));
+        commands.add("view", "zoomout", () -> canvas.zoom(1 / ZOOM));
+        commands.add("view", "fit", canvas::fit);
+        commands.separate();
+        OverlayChoice overlays = session.overlays();
+        commands.addChoice(
+                "view", "legend", overlays.shows(OverlayChoice.LEGEND), on -> overlays.show(OverlayChoice.LEGEND, on));
+        commands.addChoice("view", "outline", true, window::wantOutline);
+        commands.addChoice("view", "inspector", true, window::wantInspector);
+        commands.addChoice("view", "timeline", true, window::wantTimeline);
+        commands.separate();
+        commands.addChoice(
+                "view", "dark", look.theme() == Theme.DARK, on -> window.show(on ? Theme.DARK : Theme.LIGHT));
+        commands.addChoice(
+                "view",
+                "chinese",
+                look.texts().locale().equals(Locale.TRADITIONAL_CHINESE),
+                on -> window.show(new Texts(on ? Locale.TRADITIONAL_CHINESE : Locale.ENGLISH)));
+    }
+
+    private void addTools() {
+        Editing editing = new Editing(session.document(), session.selection(), look.texts(), canvas::view);
+        addTool(new SelectTool(editing, look.color(Tone.ACCENT)));
+        addTool(new PanTool((dx, dy) -> canvas.show(canvas.view().panned(dx, dy))));
+        addTool(new PlaceTool(editing, Hits.End.START));
+        addTool(new PlaceTool(editing, Hits.End.GOAL));
+        addTool(new MeasureTool(look));
+    }
+
+    private void addTool(Tool tool) {
+        Command command = commands.addChoice("scene", tool.key(), false, on -> take(commands.get(tool.key())));
+        tools.put(command, tool);
+    }
+
+    private void take(Command chosen) {
+        Tool tool = tools.get(chosen);
+        canvas.take(tool);
+        tools.keySet().forEach(command -> command.setOn(command == chosen));
+        toolTaken.tell(tool);
+    }
+
+    private void addPlan() {
+        commands.addChoice("plan", "live", session.isLive(), session::setLive);
+        commands.add("plan", "plannow", session::planNow);
+        commands.add("plan", "cancel", session.planner()::cancel);
+    }
+
+    private void addRun() {
+        Playback playback = session.playback();
+        Command play = commands.addChoice("run", "play", playback.isPlaying(), on -> playback.toggle());
+        commands.add("run", "first", () -> playback.seek(0));
+        commands.add("run", "back", () -> playback.step(-1));
+        commands.add("run", "forward", () -> playback.step(1));
+        commands.separate();
+        commands.addChoice("run", "loop", playback.isLooping(), playback::setLooping);
+        commands.add("run", "faster", () -> speed(1));
+        commands.add("run", "slower", () -> speed(-1));
+        Consumer<Playback> show = now -> {
+            play.setOn(now.isPlaying());
+            play.putValue(
+                    Action.LARGE_ICON_KEY,
+                    (now.isPlaying() ? troupe.app.look.Icons.PAUSE : troupe.app.look.Icons.PLAY).icon(19));
+            for (String id : List.of("play", "first", "back", "forward")) {
+                commands.get(id).setEnabled(now.duration() > 0);
+            }
+        };
+        show.accept(playback);
+        leave.add(playback.listeners().add(show));
+    }
+
+    private void speed(int by) {
+        double[] speeds = Playback.speeds();
+        int at = 0;
+        for (int i = 0; i < speeds.length; i++) {
+            at = speeds[i] <= session.playback().speed() ? i : at;
+        }
+        session.playback().setSpeed(speeds[Math.max(0, Math.min(speeds.length - 1, at + by))]);
+    }
+
+    private void selectAll() {
+        session.selection()
+                .set(session.document()
+                        .shown()
+                        .elements()
+                        .filter(e -> Hits.outline(e).isPresent())
+                        .map(Element::id)
+                        .toList());
+    }
+
+    private void delete() {
+        SceneDocument document = session.document();
+        List<String> ids = session.selection().ids();
+        Scene without = SceneEdits.removed(document.scene(), ids);
+        String name = ids.size() == 1
+                ? look.texts().format("edit.delete", SceneEdits.name(document.scene(), ids.get(0)))
+                : look.texts().format("edit.delete.several", ids.size());
+        document.commit(name, without);
+    }
+
+    private void nudgeBy(String key, int right, int up) {
+        canvas.getInputMap().put(KeyStroke.getKeyStroke(key), "nudge." + key);
+        canvas.getActionMap().put("nudge." + key, new AbstractAction() {
+            @Override
+            public void actionPerformed(ActionEvent event) {
+                nudge(right, up);
+            }
+        });
+    }
+
+    private void nudge(int right, int up) {
+        SceneDocument document = session.document();
+        List<String> ids = session.selection().ids();
+        Scene moved = SceneEdits.shifted(document.scene(), ids, right * NUDGE, up * NUDGE);
+        for (String id : ids) {
+            moved = moved.element(id).map(SceneEdits::tidied).map(moved::with).orElse(moved);
+        }
+        String name = ids.size() == 1
+                ? look.texts().format("edit.move", SceneEdits.name(document.scene(), ids.get(0)))
+                : look.texts().format("edit.move.several", ids.size());
+        document.commit(name, moved);
+    }
+
+    private void about() {
+        JOptionPane.showMessageDialog(
+                window.frame(), look.text("about.text"), look.text("about.title"), JOptionPane.PLAIN_MESSAGE);
+    }
+
+    @Override
+    public void close() {
+        leave.forEach(Runnable::run);
+    }
+}

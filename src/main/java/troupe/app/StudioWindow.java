@@ -1,0 +1,315 @@
+package troupe.app;
+
+import java.awt.BorderLayout;
+import java.awt.Component;
+import java.awt.Dimension;
+import java.awt.Toolkit;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.Executor;
+import javax.swing.Action;
+import javax.swing.JComponent;
+import javax.swing.JFrame;
+import javax.swing.JLayeredPane;
+import javax.swing.JPanel;
+import javax.swing.JSplitPane;
+import javax.swing.Timer;
+import javax.swing.WindowConstants;
+import troupe.app.canvas.Canvas;
+import troupe.app.canvas.Hits;
+import troupe.app.command.CommandSearch;
+import troupe.app.command.Commands;
+import troupe.app.look.Look;
+import troupe.app.look.SwingTheme;
+import troupe.app.look.Texts;
+import troupe.app.look.ThinDivider;
+import troupe.app.panel.ChipBar;
+import troupe.app.panel.InspectorPanel;
+import troupe.app.panel.OutlinePanel;
+import troupe.app.panel.StatusBar;
+import troupe.app.panel.TimelinePanel;
+import troupe.app.panel.ToolStrip;
+import troupe.app.play.Playback;
+import troupe.app.session.Session;
+import troupe.geometry.Box;
+import troupe.paint.Theme;
+import troupe.paint.Viewport;
+
+/**
+ * Shows a session in a window. Another theme or language builds the window's content anew over the same
+ * session. Belongs to the event thread.
+ */
+final class StudioWindow {
+    private static final int FRAME_MS = 16;
+    private static final int NARROW = 1_280;
+
+    private final Session session;
+    private final StudioSettings settings;
+    private final Executor eventThread;
+    private final JFrame frame = new JFrame();
+    private final Timer clock;
+    private long ticked;
+    private Look look;
+    private Content content;
+    private Optional<Boolean> outlineWanted = Optional.empty();
+
+    /** What is built for one look. */
+    private record Content(
+            Canvas canvas,
+            Commands commands,
+            List<AutoCloseable> parts,
+            OutlinePanel outline,
+            InspectorPanel inspector,
+            TimelinePanel timeline,
+            StatusBar status) {}
+
+    StudioWindow(Session session, StudioSettings settings, Executor eventThread) {
+        this.session = session;
+        this.settings = settings;
+        this.eventThread = eventThread;
+        this.clock = new Timer(FRAME_MS, e -> tick());
+        this.look = new Look(settings.theme(), new Texts(settings.language()));
+        frame.setName("studio");
+        frame.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
+        frame.addWindowListener(new WindowAdapter() {
+            @Override
+            public void windowClosing(WindowEvent event) {
+                close();
+            }
+        });
+        frame.addComponentListener(new ComponentAdapter() {
+            @Override
+            public void componentResized(ComponentEvent event) {
+                showOutline();
+            }
+        });
+        session.playback().listeners().add(this::runClock);
+        build();
+    }
+
+    /** Opens the window, as large as the screen allows up to 1440 by 900. */
+    void open() {
+        Dimension screen = Toolkit.getDefaultToolkit().getScreenSize();
+        frame.setSize(Math.min(1_440, screen.width), Math.min(900, screen.height));
+        frame.setMinimumSize(new Dimension(800, 560));
+        frame.setLocationRelativeTo(null);
+        frame.setVisible(true);
+        content.canvas().requestFocusInWindow();
+    }
+
+    /** Returns the frame. */
+    JFrame frame() {
+        return frame;
+    }
+
+    /** Returns the session. */
+    Session session() {
+        return session;
+    }
+
+    /** Returns the canvas that is shown now. */
+    Canvas canvas() {
+        return content.canvas();
+    }
+
+    /** Returns the commands that are shown now. */
+    Commands commands() {
+        return content.commands();
+    }
+
+    /** Returns the looks that are shown now. */
+    Look look() {
+        return look;
+    }
+
+    private void build() {
+        Optional<Viewport> view = Optional.empty();
+        if (content != null) {
+            view = content.canvas().isFitted()
+                    ? Optional.empty()
+                    : Optional.of(content.canvas().view());
+            dispose(content);
+        }
+        SwingTheme.install(look);
+        Canvas canvas = new Canvas(look, session, eventThread);
+        StudioCommands made = new StudioCommands(this, look, canvas);
+        content = content(canvas, made);
+        view.ifPresent(canvas::show);
+        frame.setJMenuBar(new TopBar(look, session, made.commands(), this::search));
+        frame.revalidate();
+        frame.repaint();
+        canvas.requestFocusInWindow();
+        frame.setTitle(FileWords.title(session.document(), look.texts()));
+    }
+
+    private Content content(Canvas canvas, StudioCommands made) {
+        Commands commands = made.commands();
+        OutlinePanel outline = new OutlinePanel(look, session, this::zoomTo);
+        InspectorPanel inspector = new InspectorPanel(look, session);
+        TimelinePanel timeline = new TimelinePanel(
+                look,
+                session,
+                List.<Action>of(
+                        commands.get("first"),
+                        commands.get("back"),
+                        commands.get("play"),
+                        commands.get("forward"),
+                        commands.get("loop")));
+        StatusBar status = new StatusBar(look, session);
+        ChipBar chips = new ChipBar(look, session);
+        canvas.setLayout(new BorderLayout());
+        chips.setBorder(javax.swing.BorderFactory.createEmptyBorder(10, 6, 10, 6));
+        canvas.add(chips, BorderLayout.NORTH);
+        canvas.pointers().add(status::pointAt);
+        canvas.views().add(view -> status.zoom(canvas.zoomShare()));
+        status.zoom(canvas.zoomShare());
+        made.onTool(tool -> status.hint(look.text("tool." + tool.key() + ".hint")));
+        JPanel all = new JPanel(new BorderLayout());
+        all.add(body(made, outline, canvas, inspector, timeline), BorderLayout.CENTER);
+        all.add(status, BorderLayout.SOUTH);
+        frame.setContentPane(all);
+        Content built = new Content(
+                canvas,
+                commands,
+                List.of(canvas, made, outline, inspector, timeline, status, chips),
+                outline,
+                inspector,
+                timeline,
+                status);
+        return built;
+    }
+
+    private JComponent body(
+            StudioCommands made,
+            OutlinePanel outline,
+            Canvas canvas,
+            InspectorPanel inspector,
+            TimelinePanel timeline) {
+        JSplitPane right = ThinDivider.split(JSplitPane.HORIZONTAL_SPLIT, canvas, inspector, 1, look);
+        JSplitPane both = ThinDivider.split(JSplitPane.HORIZONTAL_SPLIT, outline, right, 0, look);
+        JPanel middle = new JPanel(new BorderLayout());
+        middle.add(new ToolStrip(look, made.tools()), BorderLayout.WEST);
+        middle.add(both, BorderLayout.CENTER);
+        canvas.setMinimumSize(new Dimension(300, 200));
+        return ThinDivider.split(JSplitPane.VERTICAL_SPLIT, middle, timeline, 1, look);
+    }
+
+    private static void dispose(Content old) {
+        for (AutoCloseable part : old.parts()) {
+            try {
+                part.close();
+            } catch (Exception e) {
+                throw new IllegalStateException("a part of the window could not be closed", e);
+            }
+        }
+    }
+
+    /** Shows everything in another theme. */
+    void show(Theme theme) {
+        settings.setTheme(theme);
+        look = new Look(theme, look.texts());
+        build();
+        showOutline();
+    }
+
+    /** Shows everything in another language. */
+    void show(Texts texts) {
+        settings.setLanguage(texts.locale());
+        look = new Look(look.theme(), texts);
+        build();
+        showOutline();
+    }
+
+    /** Shows or hides the outline, whatever the width of the window. */
+    void wantOutline(boolean on) {
+        outlineWanted = Optional.of(on);
+        showOutline();
+    }
+
+    /** Shows or hides the inspector. */
+    void wantInspector(boolean on) {
+        show(content.inspector(), on);
+    }
+
+    /** Shows or hides the timeline. */
+    void wantTimeline(boolean on) {
+        show(content.timeline(), on);
+    }
+
+    private void showOutline() {
+        boolean on = outlineWanted.orElse(frame.getWidth() >= NARROW);
+        content.commands().get("outline").setOn(on);
+        show(content.outline(), on);
+    }
+
+    private void show(Component part, boolean on) {
+        if (part.isVisible() != on) {
+            part.setVisible(on);
+            if (part.getParent() instanceof JSplitPane split) {
+                split.resetToPreferredSizes();
+            }
+        }
+    }
+
+    private void zoomTo(String id) {
+        session.document().shown().element(id).flatMap(Hits::outline).ifPresent(outline -> {
+            Box box = outline.bounds().grown(1.5);
+            Canvas canvas = content.canvas();
+            canvas.show(Viewport.fit(box, canvas.getWidth(), canvas.getHeight(), 60));
+        });
+    }
+
+    /** Opens the search for commands. */
+    void search() {
+        JLayeredPane layers = frame.getLayeredPane();
+        for (Component part : layers.getComponentsInLayer(JLayeredPane.POPUP_LAYER)) {
+            if (part instanceof CommandSearch) {
+                return;
+            }
+        }
+        CommandSearch[] search = new CommandSearch[1];
+        search[0] = new CommandSearch(look, content.commands(), () -> {
+            layers.remove(search[0]);
+            layers.repaint();
+            content.canvas().requestFocusInWindow();
+        });
+        search[0].setLocation((layers.getWidth() - search[0].getWidth()) / 2, 48);
+        layers.add(search[0], JLayeredPane.POPUP_LAYER);
+        search[0].validate();
+        layers.repaint();
+        search[0].query().requestFocusInWindow();
+    }
+
+    private void runClock(Playback playback) {
+        if (playback.isPlaying() && !clock.isRunning()) {
+            ticked = System.nanoTime();
+            clock.start();
+        } else if (!playback.isPlaying()) {
+            clock.stop();
+        }
+    }
+
+    private void tick() {
+        long now = System.nanoTime();
+        double seconds = (now - ticked) / 1e9;
+        ticked = now;
+        session.playback().advance(seconds);
+    }
+
+    /** Closes the window, unless the person wants to keep what is not saved. */
+    void close() {
+        new FileDialogs(frame, session, look).unlessUnsaved(this::dispose);
+    }
+
+    /** Closes the window and the session. */
+    void dispose() {
+        clock.stop();
+        dispose(content);
+        session.close();
+        frame.dispose();
+    }
+}

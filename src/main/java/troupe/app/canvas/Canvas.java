@@ -1,0 +1,315 @@
+package troupe.app.canvas;
+
+import java.awt.Cursor;
+import java.awt.Dimension;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.Executor;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import troupe.app.document.Listeners;
+import troupe.app.document.SceneDocument;
+import troupe.app.look.Drawn;
+import troupe.app.look.Look;
+import troupe.app.session.OverlayChoice;
+import troupe.app.session.Session;
+import troupe.geometry.Box;
+import troupe.geometry.Point;
+import troupe.paint.Labels;
+import troupe.paint.Legend;
+import troupe.paint.ScaleBar;
+import troupe.paint.ScenePainter;
+import troupe.paint.TaskPainter;
+import troupe.paint.Tone;
+import troupe.paint.Viewport;
+import troupe.scene.Journey;
+import troupe.scene.Scene;
+
+/**
+ * Shows the scene from above, what the planner found, and what the tool does. Zooms at the pointer with
+ * the wheel; pans with the middle button, or with the space key held. Belongs to the event thread.
+ */
+public final class Canvas extends Drawn implements AutoCloseable {
+    private static final int MARGIN = 24;
+    private static final int TOP = 46;
+    private static final int BOTTOM = 62;
+    private static final int CARD_MARGIN = 12;
+
+    private final transient Look look;
+    private final transient Session session;
+    private final transient Painters painters;
+    private final transient LayerStack stack;
+    private final transient Listeners<Viewport> views = new Listeners<>();
+    private final transient Listeners<Optional<Point>> pointers = new Listeners<>();
+    private final transient List<Runnable> leave = new ArrayList<>();
+    private transient Viewport view = new Viewport(0, 0, 1);
+    private boolean fitted = true;
+    private transient Tool tool;
+    private transient Painters.Prepared prepared;
+    private transient Scene painted;
+    private transient ScenePainter scenePainter;
+    private double elevation = Double.POSITIVE_INFINITY;
+
+    /** Makes the canvas of a session. */
+    public Canvas(Look look, Session session, Executor eventThread) {
+        this.look = look;
+        this.session = session;
+        this.painters = new Painters(look, eventThread, this::take);
+        this.stack = new LayerStack(List.of(
+                layer(this::groundStamp, g -> scenePainter().paintGround(g, view)),
+                layer(() -> prepared == null ? "" : prepared.overlays(), this::paintOverlays),
+                layer(this::sceneStamp, this::paintScene),
+                layer(this::pathStamp, this::paintPath),
+                layer(this::selectionStamp, this::paintSelection),
+                layer(this::actorStamp, this::paintActors)));
+        setName("canvas");
+        setFocusable(true);
+        setOpaque(true);
+        getAccessibleContext().setAccessibleName(look.text("canvas.name"));
+        getAccessibleContext().setAccessibleDescription(look.text("canvas.description"));
+        observe();
+        new CanvasMouse(this);
+        addComponentListener(new ComponentAdapter() {
+            @Override
+            public void componentResized(ComponentEvent event) {
+                if (fitted) {
+                    fit();
+                }
+            }
+        });
+    }
+
+    private void observe() {
+        leave.add(session.document().listeners().add(change -> {
+            if (change == SceneDocument.Change.OPENED) {
+                prepared = null;
+                fit();
+            }
+            repaint();
+        }));
+        leave.add(session.selection().listeners().add(s -> repaint()));
+        leave.add(session.playback().listeners().add(p -> repaint()));
+        leave.add(session.plans().add(plan -> painters.request(plan, session.overlays())));
+        leave.add(session.overlays().listeners().add(choice -> prepare()));
+        prepare();
+    }
+
+    private void prepare() {
+        session.plan().ifPresent(plan -> painters.request(plan, session.overlays()));
+    }
+
+    private void take(Painters.Prepared made) {
+        prepared = made;
+        repaint();
+    }
+
+    /** Returns the observers of the viewport. */
+    public Listeners<Viewport> views() {
+        return views;
+    }
+
+    /** Returns the observers of the place under the pointer, in metres; empty when it has left. */
+    public Listeners<Optional<Point>> pointers() {
+        return pointers;
+    }
+
+    /** Returns the viewport. */
+    public Viewport view() {
+        return view;
+    }
+
+    /** Shows another part of the scene. */
+    public void show(Viewport other) {
+        fitted = false;
+        setView(other);
+    }
+
+    private void setView(Viewport other) {
+        view = other;
+        views.tell(view);
+        repaint();
+    }
+
+    /** Shows the whole scene, and goes on doing so when the window changes its size. */
+    public void fit() {
+        fitted = true;
+        if (getWidth() > 0 && getHeight() > 0) {
+            setView(fitting());
+        }
+    }
+
+    private Viewport fitting() {
+        Scene scene = session.document().shown();
+        Box world = new Box(0, 0, scene.world().width(), scene.world().depth());
+        return Viewport.fit(world, MARGIN, TOP, getWidth() - 2.0 * MARGIN, getHeight() - (double) TOP - BOTTOM);
+    }
+
+    /** Tells whether the whole scene is shown, whatever the size of the window. */
+    public boolean isFitted() {
+        return fitted;
+    }
+
+    /** Returns the present scale as a share of that at which the whole scene just fits. */
+    public double zoomShare() {
+        return getWidth() == 0 || getHeight() == 0
+                ? 1
+                : view.scale() / fitting().scale();
+    }
+
+    /** Zooms at the middle of the canvas. */
+    public void zoom(double factor) {
+        show(view.zoomed(factor, getWidth() / 2.0, getHeight() / 2.0));
+    }
+
+    /** Returns the tool in hand. */
+    public Tool tool() {
+        return tool;
+    }
+
+    /** Takes another tool in hand; what the one before was doing is dropped. */
+    public void take(Tool other) {
+        if (tool != null) {
+            tool.cancel();
+        }
+        tool = other;
+        setCursor(Cursor.getDefaultCursor());
+        repaint();
+    }
+
+    /** Leaves only a trace of what begins above {@code metres}; infinity shows everything. */
+    public void showUpTo(double metres) {
+        elevation = metres;
+        painted = null;
+        repaint();
+    }
+
+    private ScenePainter scenePainter() {
+        Scene scene = session.document().shown();
+        if (scene != painted) {
+            painted = scene;
+            scenePainter = new ScenePainter(scene, look.theme()).upTo(elevation);
+        }
+        return scenePainter;
+    }
+
+    private Object groundStamp() {
+        Scene scene = session.document().shown();
+        return List.of(scene.world(), scene.ditches());
+    }
+
+    private Object sceneStamp() {
+        return List.of(
+                session.document().shown().obstacles(), session.selection().ids(), elevation);
+    }
+
+    private Object pathStamp() {
+        return List.of(
+                prepared == null ? "" : prepared,
+                session.document().shownTask().isPresent()
+                        ? session.document().shownTask().get()
+                        : "");
+    }
+
+    private Object selectionStamp() {
+        return List.of(
+                session.selection().ids(),
+                session.document().shown(),
+                tool == null ? "" : tool,
+                tool == null ? "" : tool.stamp());
+    }
+
+    private Object actorStamp() {
+        return List.of(session.playback().time(), prepared == null ? "" : prepared);
+    }
+
+    private void paintOverlays(Graphics2D g) {
+        if (prepared != null) {
+            prepared.overlays().forEach(painter -> painter.paint(g, view));
+        }
+    }
+
+    private void paintScene(Graphics2D g) {
+        ScenePainter painter =
+                scenePainter().numbering(Set.copyOf(session.selection().ids()));
+        painter.paintObstacles(g, view);
+        painter.paintLabels(g, view, new Labels());
+    }
+
+    private void paintPath(Graphics2D g) {
+        if (prepared != null) {
+            prepared.run().ifPresent(run -> run.paintLegs(g, view));
+        }
+        Scene scene = session.document().shown();
+        if (session.document().shownTask().orElse(null) instanceof Journey journey) {
+            TaskPainter.paint(g, scene, journey, view, look.theme());
+        }
+        if (prepared != null) {
+            prepared.run().ifPresent(run -> run.paintPills(g, view, new Labels()));
+        }
+    }
+
+    private void paintSelection(Graphics2D g) {
+        SelectionPainter.paint(g, view, look, session.document().shown(), session.selection());
+        if (tool != null) {
+            tool.paint(g, view);
+        }
+    }
+
+    private void paintActors(Graphics2D g) {
+        if (prepared != null) {
+            prepared.run()
+                    .ifPresent(
+                            run -> run.paintActors(g, view, session.playback().time()));
+        }
+    }
+
+    @Override
+    protected void paintComponent(Graphics graphics) {
+        Graphics2D g = Look.smooth(graphics);
+        g.setRenderingHint(RenderingHints.KEY_FRACTIONALMETRICS, RenderingHints.VALUE_FRACTIONALMETRICS_ON);
+        stack.paint(g, getWidth(), getHeight(), look.color(Tone.CANVAS), view);
+        paintCards(g);
+        g.dispose();
+    }
+
+    /** Paints what explains the picture: legend and scale. */
+    private void paintCards(Graphics2D g) {
+        int bottom = getHeight() - CARD_MARGIN;
+        double scaleBar = ScaleBar.width(view);
+        if (prepared != null && session.overlays().shows(OverlayChoice.LEGEND)) {
+            Legend legend = prepared.legend();
+            int most = (int) (getWidth() - scaleBar - 5 * CARD_MARGIN);
+            Dimension size = legend.size(g, most);
+            legend.paint(g, CARD_MARGIN, bottom - size.height, most);
+        }
+        ScaleBar.paint(g, view, look.theme(), getWidth() - 2.0 * CARD_MARGIN, bottom - 6.0);
+    }
+
+    private static LayerStack.Layer layer(Supplier<Object> stamp, Consumer<Graphics2D> painting) {
+        return new LayerStack.Layer() {
+            @Override
+            public Object stamp() {
+                return stamp.get();
+            }
+
+            @Override
+            public void paint(Graphics2D g) {
+                painting.accept(g);
+            }
+        };
+    }
+
+    /** Leaves what it observes and ends its background thread. */
+    @Override
+    public void close() {
+        leave.forEach(Runnable::run);
+        painters.close();
+    }
+}

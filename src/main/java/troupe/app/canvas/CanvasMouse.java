@@ -1,0 +1,130 @@
+package troupe.app.canvas;
+
+import java.awt.event.ActionEvent;
+import java.awt.event.FocusAdapter;
+import java.awt.event.FocusEvent;
+import java.awt.event.KeyEvent;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.awt.event.MouseWheelEvent;
+import java.util.Optional;
+import javax.swing.AbstractAction;
+import javax.swing.KeyStroke;
+import javax.swing.SwingUtilities;
+import troupe.paint.Viewport;
+
+/** Leads the events of the pointer to the tool in hand, or to the view. */
+final class CanvasMouse extends MouseAdapter {
+    private static final double ZOOM = 1.15;
+
+    private final Canvas canvas;
+    private final PanTool pan;
+    private boolean space;
+    private Tool working;
+
+    CanvasMouse(Canvas canvas) {
+        this.canvas = canvas;
+        this.pan = new PanTool((dx, dy) -> canvas.show(canvas.view().panned(dx, dy)));
+        canvas.addMouseListener(this);
+        canvas.addMouseMotionListener(this);
+        canvas.addMouseWheelListener(this);
+        key("pressed SPACE", () -> space = true);
+        key("released SPACE", () -> space = false);
+        key("ESCAPE", this::escape);
+        canvas.addFocusListener(new FocusAdapter() {
+            @Override
+            public void focusLost(FocusEvent event) {
+                space = false;
+            }
+        });
+    }
+
+    private void key(String stroke, Runnable action) {
+        KeyStroke key = stroke.contains(" ")
+                ? KeyStroke.getKeyStroke(KeyEvent.VK_SPACE, 0, stroke.startsWith("released"))
+                : KeyStroke.getKeyStroke(stroke);
+        canvas.getInputMap().put(key, stroke);
+        canvas.getActionMap().put(stroke, new AbstractAction() {
+            @Override
+            public void actionPerformed(ActionEvent event) {
+                action.run();
+            }
+        });
+    }
+
+    private void escape() {
+        Tool tool = working == null ? canvas.tool() : working;
+        working = null;
+        if (tool != null) {
+            tool.cancel();
+        }
+        canvas.repaint();
+    }
+
+    private Pointer pointer(MouseEvent event) {
+        Viewport view = canvas.view();
+        return new Pointer(
+                view.point(event.getX(), event.getY()),
+                event.getX(),
+                event.getY(),
+                event.isShiftDown(),
+                event.isAltDown());
+    }
+
+    @Override
+    public void mousePressed(MouseEvent event) {
+        canvas.requestFocusInWindow();
+        if (working != null) {
+            return;
+        }
+        if (SwingUtilities.isMiddleMouseButton(event) || space && SwingUtilities.isLeftMouseButton(event)) {
+            working = pan;
+        } else if (SwingUtilities.isLeftMouseButton(event)) {
+            working = canvas.tool();
+        }
+        if (working != null) {
+            working.press(pointer(event));
+            canvas.repaint();
+        }
+    }
+
+    @Override
+    public void mouseDragged(MouseEvent event) {
+        if (working != null) {
+            working.drag(pointer(event));
+            canvas.repaint();
+        }
+        canvas.pointers().tell(Optional.of(pointer(event).at()));
+    }
+
+    @Override
+    public void mouseReleased(MouseEvent event) {
+        Tool tool = working;
+        working = null;
+        if (tool != null) {
+            tool.release(pointer(event));
+            canvas.repaint();
+        }
+    }
+
+    @Override
+    public void mouseMoved(MouseEvent event) {
+        Tool tool = space ? pan : canvas.tool();
+        if (tool != null) {
+            canvas.setCursor(tool.cursor(pointer(event)));
+        }
+        canvas.pointers().tell(Optional.of(pointer(event).at()));
+    }
+
+    @Override
+    public void mouseExited(MouseEvent event) {
+        canvas.pointers().tell(Optional.empty());
+    }
+
+    @Override
+    public void mouseWheelMoved(MouseWheelEvent event) {
+        double factor = Math.pow(ZOOM, -event.getPreciseWheelRotation());
+        canvas.show(canvas.view().zoomed(factor, event.getX(), event.getY()));
+        canvas.pointers().tell(Optional.of(pointer(event).at()));
+    }
+}

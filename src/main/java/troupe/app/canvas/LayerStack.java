@@ -1,0 +1,107 @@
+package troupe.app.canvas;
+
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.geom.AffineTransform;
+import java.awt.image.BufferedImage;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+
+/**
+ * Paints layers one over the other and keeps a picture of those below the lowest one that changed, so
+ * that playing a run or dragging a thing paints only what moves. A layer changes when its stamp does.
+ */
+final class LayerStack {
+
+    /** One layer: a stamp of everything its painting depends on, and the painting. */
+    interface Layer {
+
+        /** Returns what the painting depends on; equal stamps mean equal pictures. */
+        Object stamp();
+
+        /** Paints the layer. */
+        void paint(Graphics2D g);
+    }
+
+    private final List<Layer> layers;
+    private List<Object> stamps = List.of();
+    private BufferedImage below;
+    private int kept;
+    private Object ground;
+    private int painted;
+
+    LayerStack(List<Layer> layers) {
+        this.layers = List.copyOf(layers);
+    }
+
+    /** Returns how many layers were painted anew the last time. */
+    int paintedLayers() {
+        return painted;
+    }
+
+    /**
+     * Paints all layers on a background.
+     *
+     * @param common what every layer depends on, such as the viewport
+     */
+    void paint(Graphics2D g, int width, int height, Color background, Object common) {
+        AffineTransform scale = g.getTransform();
+        double sx = scale.getScaleX();
+        double sy = scale.getScaleY();
+        List<Object> now = new ArrayList<>();
+        layers.forEach(layer -> now.add(layer.stamp()));
+        Object groundNow = List.of(width, height, sx, sy, background, common);
+        boolean whole = !groundNow.equals(ground);
+        int keep = whole ? 0 : lowestChange(now);
+        ground = groundNow;
+        stamps = now;
+        painted = 0;
+        if (keep > 0) {
+            keepLayers(keep, (int) Math.ceil(width * sx), (int) Math.ceil(height * sy), scale, background);
+            Graphics2D device = (Graphics2D) g.create();
+            device.setTransform(AffineTransform.getTranslateInstance(scale.getTranslateX(), scale.getTranslateY()));
+            device.drawImage(below, 0, 0, null);
+            device.dispose();
+        } else {
+            kept = 0;
+            g.setColor(background);
+            g.fillRect(0, 0, width, height);
+        }
+        for (int i = keep; i < layers.size(); i++) {
+            layers.get(i).paint(g);
+            painted++;
+        }
+    }
+
+    /** Returns the lowest layer that changed, or as many as are kept already if none did. */
+    private int lowestChange(List<Object> now) {
+        for (int i = 0; i < now.size(); i++) {
+            if (i >= stamps.size() || !Objects.equals(now.get(i), stamps.get(i))) {
+                return i;
+            }
+        }
+        return Math.max(kept, layers.size() - 1);
+    }
+
+    private void keepLayers(int keep, int width, int height, AffineTransform scale, Color background) {
+        boolean fits = below != null && below.getWidth() == width && below.getHeight() == height;
+        if (!fits) {
+            below = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+        }
+        if (!fits || kept > keep || kept == 0) {
+            kept = 0;
+        }
+        Graphics2D g = below.createGraphics();
+        if (kept == 0) {
+            g.setColor(background);
+            g.fillRect(0, 0, width, height);
+        }
+        g.scale(scale.getScaleX(), scale.getScaleY());
+        for (; kept < keep; kept++) {
+            layers.get(kept).paint(g);
+            painted++;
+        }
+        g.dispose();
+    }
+}

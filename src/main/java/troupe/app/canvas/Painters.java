@@ -1,0 +1,90 @@
+package troupe.app.canvas;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.Executor;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.function.Consumer;
+import troupe.app.look.Look;
+import troupe.app.plan.Plan;
+import troupe.app.session.OverlayChoice;
+import troupe.paint.Legend;
+import troupe.paint.OverlayPainter;
+import troupe.paint.RunPainter;
+import troupe.run.Overlay;
+import troupe.run.Run;
+
+/**
+ * Makes the painters of a plan on a background thread, because tracing the contours of a field takes
+ * longer than a frame. The newest request wins.
+ */
+final class Painters implements AutoCloseable {
+
+    /** The painters of one plan. Fields of numbers are filled only where they are the one thing shown. */
+    record Prepared(Optional<RunPainter> run, List<OverlayPainter> overlays, Legend legend) {}
+
+    private final Look look;
+    private final Executor eventThread;
+    private final Consumer<Prepared> taker;
+    private final ExecutorService worker = Executors.newSingleThreadExecutor(task -> {
+        Thread thread = new Thread(task, "painters");
+        thread.setDaemon(true);
+        return thread;
+    });
+    private volatile long newest;
+
+    /** Makes painters for a look; {@code taker} gets them on the event thread. */
+    Painters(Look look, Executor eventThread, Consumer<Prepared> taker) {
+        this.look = look;
+        this.eventThread = eventThread;
+        this.taker = taker;
+    }
+
+    /** Asks for the painters of what is shown of a plan. */
+    void request(Plan plan, OverlayChoice choice) {
+        long request = ++newest;
+        Set<String> keys = choice.keys();
+        int layer = choice.layer();
+        worker.execute(() -> {
+            if (request == newest) {
+                Prepared prepared = prepare(plan, keys, layer);
+                eventThread.execute(() -> {
+                    if (request == newest) {
+                        taker.accept(prepared);
+                    }
+                });
+            }
+        });
+    }
+
+    private Prepared prepare(Plan plan, Set<String> keys, int layer) {
+        List<Overlay> shown = plan.overlays().stream()
+                .filter(o -> keys.contains(o.key()))
+                .filter(o -> layer == OverlayChoice.ALL_LAYERS || o.layer() == layer)
+                .toList();
+        boolean filled = shown.stream().map(Overlay::key).distinct().count() == 1;
+        List<OverlayPainter> painters = shown.stream()
+                .map(o -> new OverlayPainter(o, look.theme(), filled))
+                .toList();
+        Optional<Run> run = plan.run().filter(r -> keys.contains(OverlayChoice.PLAN));
+        List<Overlay> named =
+                shown.stream().filter(o -> o == first(shown, o.key())).toList();
+        Legend legend = Legend.of(run.orElse(null), named, filled, look.theme(), this::word);
+        return new Prepared(run.map(r -> new RunPainter(r, look.theme())), painters, legend);
+    }
+
+    private static Overlay first(List<Overlay> overlays, String key) {
+        return overlays.stream().filter(o -> o.key().equals(key)).findFirst().orElseThrow();
+    }
+
+    private String word(String key) {
+        return look.texts().get("legend." + key, look.texts().get("word." + key, key.replace('-', ' ')));
+    }
+
+    @Override
+    public void close() {
+        worker.shutdown();
+    }
+}

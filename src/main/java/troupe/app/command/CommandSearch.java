@@ -1,0 +1,162 @@
+package troupe.app.command;
+
+import java.awt.BorderLayout;
+import java.awt.Component;
+import java.awt.Dimension;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.event.ActionEvent;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import javax.swing.AbstractAction;
+import javax.swing.BorderFactory;
+import javax.swing.DefaultListModel;
+import javax.swing.JList;
+import javax.swing.JPanel;
+import javax.swing.JTextField;
+import javax.swing.KeyStroke;
+import javax.swing.ListCellRenderer;
+import javax.swing.ListSelectionModel;
+import javax.swing.event.DocumentEvent;
+import javax.swing.event.DocumentListener;
+import troupe.app.look.Drawn;
+import troupe.app.look.Look;
+import troupe.app.look.ThinScrollBarUI;
+import troupe.paint.Tone;
+
+/** Finds commands by their words; Enter does the one that is marked, Escape closes. */
+public final class CommandSearch extends JPanel {
+    private static final int WIDTH = 380;
+    private static final int ROW = 28;
+    private static final int ROWS = 9;
+
+    private final transient Look look;
+    private final transient Commands commands;
+    private final transient Runnable close;
+    private final JTextField query = new JTextField();
+    private final DefaultListModel<Command> found = new DefaultListModel<>();
+    private final JList<Command> list = new JList<>(found);
+
+    /** Makes the search; {@code close} takes it off the window. */
+    public CommandSearch(Look look, Commands commands, Runnable close) {
+        super(new BorderLayout(0, 6));
+        this.look = look;
+        this.commands = commands;
+        this.close = close;
+        setName("search");
+        setBackground(look.color(Tone.PANEL));
+        setBorder(BorderFactory.createCompoundBorder(
+                BorderFactory.createLineBorder(look.color(Tone.LINE)), BorderFactory.createEmptyBorder(8, 8, 8, 8)));
+        query.setName("search.query");
+        query.setFont(look.font());
+        query.getAccessibleContext().setAccessibleName(look.text("command.search"));
+        query.getDocument().addDocumentListener(new Typed());
+        list.setName("search.list");
+        list.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
+        list.setFixedCellHeight(ROW);
+        list.setBackground(look.color(Tone.PANEL));
+        list.setCellRenderer(new Renderer());
+        list.setFocusable(false);
+        list.addMouseListener(new MouseAdapter() {
+            @Override
+            public void mouseClicked(MouseEvent event) {
+                perform();
+            }
+        });
+        add(query, BorderLayout.NORTH);
+        add(ThinScrollBarUI.scroll(list, look), BorderLayout.CENTER);
+        key("ENTER", this::perform);
+        key("ESCAPE", close);
+        key("DOWN", () -> mark(1));
+        key("UP", () -> mark(-1));
+        setSize(new Dimension(WIDTH, ROWS * ROW + 60));
+        find();
+    }
+
+    /** Returns the field for the words. */
+    public JTextField query() {
+        return query;
+    }
+
+    private void key(String stroke, Runnable action) {
+        query.getInputMap().put(KeyStroke.getKeyStroke(stroke), "search." + stroke);
+        query.getActionMap().put("search." + stroke, new AbstractAction() {
+            @Override
+            public void actionPerformed(ActionEvent event) {
+                action.run();
+            }
+        });
+    }
+
+    private void find() {
+        found.clear();
+        found.addAll(commands.search(query.getText()));
+        list.setSelectedIndex(0);
+    }
+
+    private void mark(int by) {
+        if (!found.isEmpty()) {
+            int index = Math.floorMod(list.getSelectedIndex() + by, found.size());
+            list.setSelectedIndex(index);
+            list.ensureIndexIsVisible(index);
+        }
+    }
+
+    private void perform() {
+        Command command = list.getSelectedValue();
+        if (command != null && command.isEnabled()) {
+            close.run();
+            command.perform();
+        }
+    }
+
+    /** Finds anew with each change of the words. */
+    private final class Typed implements DocumentListener {
+        @Override
+        public void insertUpdate(DocumentEvent event) {
+            find();
+        }
+
+        @Override
+        public void removeUpdate(DocumentEvent event) {
+            find();
+        }
+
+        @Override
+        public void changedUpdate(DocumentEvent event) {
+            find();
+        }
+    }
+
+    /** Paints a command with its menu and its shortcut. */
+    private final class Renderer extends Drawn implements ListCellRenderer<Command> {
+        private transient Command command;
+        private boolean marked;
+
+        @Override
+        public Component getListCellRendererComponent(
+                JList<? extends Command> all, Command value, int index, boolean selected, boolean focused) {
+            command = value;
+            marked = selected;
+            getAccessibleContext().setAccessibleName(value.name() + " " + value.shortcut());
+            return this;
+        }
+
+        @Override
+        protected void paintComponent(Graphics graphics) {
+            Graphics2D g = Look.smooth(graphics);
+            if (marked) {
+                g.setColor(look.selected());
+                g.fillRoundRect(0, 1, getWidth(), getHeight() - 2, 10, 10);
+            }
+            g.setFont(look.font());
+            int base = getHeight() / 2 + 4;
+            g.setColor(command.isEnabled() ? look.color(Tone.TEXT) : look.mix(Tone.DIM, Tone.PANEL, 0.6));
+            g.drawString(command.name(), 10, base);
+            g.setColor(look.color(Tone.DIM));
+            String right = command.shortcut();
+            g.drawString(right, getWidth() - 10 - g.getFontMetrics().stringWidth(right), base);
+            g.dispose();
+        }
+    }
+}

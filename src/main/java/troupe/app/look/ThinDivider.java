@@ -1,0 +1,46 @@
+package troupe.app.look;
+
+import java.awt.Component;
+import java.awt.Graphics;
+import javax.swing.BorderFactory;
+import javax.swing.JSplitPane;
+import javax.swing.plaf.basic.BasicSplitPaneDivider;
+import javax.swing.plaf.basic.BasicSplitPaneUI;
+import troupe.paint.Tone;
+
+/** Divides two panels by a thin strip that can be dragged. */
+public final class ThinDivider extends BasicSplitPaneUI {
+    private static final int SIZE = 4;
+    private final Look look;
+    private final Tone tone;
+
+    private ThinDivider(Look look, Tone tone) {
+        this.look = look;
+        this.tone = tone;
+    }
+
+    /** Makes a split of two panels; {@code weight} is the share of the first in what the window gains. */
+    public static JSplitPane split(int orientation, Component first, Component second, double weight, Look look) {
+        JSplitPane split = new JSplitPane(orientation, true, first, second);
+        boolean columns = orientation == JSplitPane.HORIZONTAL_SPLIT;
+        split.setUI(new ThinDivider(look, columns ? Tone.CANVAS : Tone.PANEL));
+        split.setDividerSize(SIZE);
+        split.setResizeWeight(weight);
+        split.setBorder(BorderFactory.createEmptyBorder());
+        split.setBackground(look.color(Tone.PANEL));
+        return split;
+    }
+
+    @Override
+    public BasicSplitPaneDivider createDefaultDivider() {
+        BasicSplitPaneDivider strip = new BasicSplitPaneDivider(this) {
+            @Override
+            public void paint(Graphics g) {
+                g.setColor(look.color(tone));
+                g.fillRect(0, 0, getWidth(), getHeight());
+            }
+        };
+        strip.setBorder(BorderFactory.createEmptyBorder());
+        return strip;
+    }
+}

@@ -1,0 +1,247 @@
+package troupe.app.panel;
+
+import java.awt.BorderLayout;
+import java.awt.Dimension;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
+import javax.swing.BorderFactory;
+import javax.swing.Box;
+import javax.swing.BoxLayout;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.Timer;
+import troupe.app.look.Drawn;
+import troupe.app.look.FlatButton;
+import troupe.app.look.Look;
+import troupe.app.look.Texts;
+import troupe.app.plan.Plan;
+import troupe.app.plan.Work;
+import troupe.app.session.Notice;
+import troupe.app.session.Session;
+import troupe.geometry.Point;
+import troupe.paint.Tone;
+import troupe.run.Report;
+import troupe.run.Run;
+
+/** Says what happened, what the mouse would do now, and what is under the pointer. */
+public final class StatusBar extends Panel {
+    private static final int PATIENCE_MS = 250;
+    private static final Set<String> PLACE = Set.of("class", "clearance", "elevation");
+
+    private final Dot dot = new Dot();
+    private final JLabel happened = new JLabel();
+    private final JLabel details = new JLabel();
+    private final JLabel hint = new JLabel("", JLabel.CENTER);
+    private final JLabel position = new JLabel();
+    private final JLabel values = new JLabel();
+    private final JLabel zoom = new JLabel();
+    private final Gauge gauge = new Gauge();
+    private final FlatButton cancel;
+    private final transient Timer patience;
+    private Tone state = Tone.DIM;
+    private transient Optional<Point> pointer = Optional.empty();
+
+    /** Makes the status bar. */
+    public StatusBar(Look look, Session session) {
+        super(look, session, new BorderLayout(18, 0));
+        setName("status");
+        setBorder(BorderFactory.createCompoundBorder(
+                look.line(1, 0, 0, 0), BorderFactory.createEmptyBorder(0, 14, 0, 14)));
+        setPreferredSize(new Dimension(100, 27));
+        cancel = new FlatButton(look, FlatButton.Style.PILL);
+        cancel.setName("status.cancel");
+        cancel.setText(look.text("status.cancel"));
+        cancel.addActionListener(e -> {
+            cancel.setSelected(false);
+            session.planner().cancel();
+        });
+        Look.sized(cancel, cancel.getPreferredSize().width, 20);
+        patience = new Timer(PATIENCE_MS, e -> showWork(true));
+        patience.setRepeats(false);
+        build();
+        observing(session.plans().add(this::show));
+        observing(session.planner().works().add(this::show));
+        observing(session.notices().add(this::show));
+        session.plan().ifPresentOrElse(this::show, () -> happened(look.text("status.ready"), ""));
+    }
+
+    private void build() {
+        for (JLabel label : List.of(happened, details, hint, position, values, zoom)) {
+            label.setFont(look().font());
+            label.setForeground(look().color(Tone.DIM));
+        }
+        happened.setForeground(look().color(Tone.TEXT));
+        happened.setName("status.happened");
+        position.setForeground(look().color(Tone.TEXT));
+        position.setName("status.position");
+        values.setName("status.values");
+        hint.setName("status.hint");
+        hint.setMinimumSize(new Dimension(0, 20));
+        JPanel left = line();
+        left.add(dot);
+        left.add(happened);
+        left.add(Box.createHorizontalStrut(6));
+        left.add(details);
+        left.add(gauge);
+        left.add(Box.createHorizontalStrut(8));
+        left.add(cancel);
+        JPanel right = line();
+        right.add(position);
+        right.add(Box.createHorizontalStrut(14));
+        right.add(values);
+        right.add(Box.createHorizontalStrut(14));
+        right.add(zoom);
+        add(left, BorderLayout.WEST);
+        add(hint, BorderLayout.CENTER);
+        add(right, BorderLayout.EAST);
+        showWork(false);
+    }
+
+    private static JPanel line() {
+        JPanel line = new JPanel();
+        line.setLayout(new BoxLayout(line, BoxLayout.X_AXIS));
+        line.setOpaque(false);
+        return line;
+    }
+
+    /** Says what the mouse would do now. */
+    public void hint(String text) {
+        hint.setText(text);
+    }
+
+    /** Says how many pixels a metre has, as a share of what fits the window. */
+    public void zoom(double share) {
+        zoom.setText(Math.round(share * 100) + " %");
+    }
+
+    /** Says what is under the pointer, empty when it is elsewhere. */
+    public void pointAt(Optional<Point> place) {
+        pointer = place;
+        position.setText(place.map(p -> "x " + Texts.number(p.x(), 2) + "  y " + Texts.number(p.y(), 2))
+                .orElse(""));
+        values.setText(place.flatMap(p -> session().plan().map(plan -> values(plan, p)))
+                .orElse(""));
+    }
+
+    private String values(Plan plan, Point place) {
+        return PointerReadout.at(plan, place, session().overlays(), look().texts()).stream()
+                .filter(v -> PLACE.contains(v.key()) || session().overlays().shows(v.key()))
+                .map(v -> v.key().equals("class") ? v.text() : name(v.key()) + " " + v.text())
+                .collect(Collectors.joining("   "));
+    }
+
+    private String name(String key) {
+        return look().texts().get("value." + key, key);
+    }
+
+    private void show(Work work) {
+        gauge.share = work.share();
+        gauge.repaint();
+        if (!work.planning()) {
+            patience.stop();
+            showWork(false);
+        } else if (!patience.isRunning() && !cancel.isVisible()) {
+            patience.restart();
+        }
+    }
+
+    private void showWork(boolean on) {
+        gauge.setVisible(on);
+        cancel.setVisible(on);
+        details.setVisible(!on);
+        if (on) {
+            happened(look().text("status.planning"), "");
+            state = Tone.ACCENT;
+        }
+        dot.repaint();
+    }
+
+    private void show(Notice notice) {
+        state = notice.wrong() ? Tone.MOVE : Tone.SKELETON;
+        happened(notice.text(), "");
+    }
+
+    private void show(Plan plan) {
+        if (plan.run().isEmpty()) {
+            state = plan.problems().isEmpty() ? Tone.DIM : Tone.MOVE;
+            String text = plan.problems().isEmpty()
+                    ? look().text("status.notask")
+                    : plan.problems().get(0).message();
+            happened(text, "");
+        } else {
+            show(plan, plan.run().get());
+        }
+        pointAt(pointer);
+    }
+
+    private void show(Plan plan, Run run) {
+        boolean found = run.outcome().isFound();
+        state = found ? Tone.SKELETON : Tone.MOVE;
+        String millis = Texts.number(plan.millis(), plan.millis() < 10 ? 1 : 0);
+        String text = found
+                ? look().texts().format("status.planned", millis)
+                : PlanWords.outcome(run.outcome(), look().texts());
+        List<String> more = new ArrayList<>();
+        if (found && run.report().values().get("expanded") instanceof Long expanded) {
+            more.add(look().texts().format("status.expanded", expanded));
+        }
+        if (found && run.report().values().get("times_ms") instanceof Report times) {
+            times.values().forEach((stage, ms) -> {
+                if (ms instanceof Double d && d >= 0.05) {
+                    more.add(look().texts().get("stage." + stage, stage) + " " + Texts.number(d, 1));
+                }
+            });
+        }
+        happened(text, more.isEmpty() ? "" : "\u00b7 " + String.join(" \u00b7 ", more.subList(0, 1)));
+        details.setToolTipText(more.isEmpty() ? null : String.join(" \u00b7 ", more));
+    }
+
+    private void happened(String text, String more) {
+        happened.setText(text);
+        happened.setToolTipText(text);
+        details.setText(more);
+        dot.repaint();
+    }
+
+    /** A dot in the colour of how things stand. */
+    private final class Dot extends Drawn {
+        private Dot() {
+            Look.sized(this, 14, 12);
+        }
+
+        @Override
+        protected void paintComponent(Graphics graphics) {
+            Graphics2D g = Look.smooth(graphics);
+            g.setColor(look().color(state));
+            g.fillOval(1, 2, 8, 8);
+            g.dispose();
+        }
+    }
+
+    /** How far the work has come; a plain bar where that is not known. */
+    private final class Gauge extends Drawn {
+        private double share = Double.NaN;
+
+        private Gauge() {
+            Look.sized(this, 120, 14);
+            setName("status.progress");
+        }
+
+        @Override
+        protected void paintComponent(Graphics graphics) {
+            Graphics2D g = Look.smooth(graphics);
+            int y = getHeight() / 2 - 2;
+            g.setColor(look().color(Tone.LINE));
+            g.fillRoundRect(0, y, getWidth(), 4, 4, 4);
+            g.setColor(look().color(Tone.ACCENT));
+            int width = Double.isNaN(share) ? getWidth() / 3 : (int) (getWidth() * share);
+            g.fillRoundRect(0, y, width, 4, 4, 4);
+            g.dispose();
+        }
+    }
+}

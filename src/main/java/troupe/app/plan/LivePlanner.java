@@ -1,0 +1,234 @@
+package troupe.app.plan;
+
+import java.util.ArrayList;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.Executor;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
+import troupe.app.document.EventThread;
+import troupe.app.document.Listeners;
+import troupe.app.document.SceneEdits;
+import troupe.app.document.Version;
+import troupe.run.Engine;
+import troupe.run.Run;
+import troupe.scene.Ability;
+import troupe.scene.Problem;
+import troupe.scene.Scene;
+import troupe.scene.Severity;
+import troupe.search.Outcome;
+
+/**
+ * Plans the newest snapshot on one background thread. A new request makes the one before it obsolete:
+ * after a change of the document at once; within a gesture, where a request comes with each move of the
+ * pointer, the work under way may go on for {@link #PATIENCE_MS}, or nothing would ever be shown. What
+ * comes back is told on the event thread, and only if it is of the revision asked for last and newer
+ * than what was told before. A snapshot is told more than once: its plan, then with its views, and, when it
+ * is no moment of a gesture, with all problems and with the routes beside it.
+ */
+public final class LivePlanner implements AutoCloseable {
+    /** How long in ms work for an earlier moment of the same gesture may go on. */
+    public static final long PATIENCE_MS = 200;
+
+    private static final long SLICE = 1_000;
+    private static final long REPORT_MS = 60;
+
+    private final PlanningSteps steps;
+    private final Executor eventThread;
+    private final ThreadPoolExecutor worker;
+    private final Listeners<Plan> plans = new Listeners<>();
+    private final Listeners<Work> works = new Listeners<>();
+    private volatile Snapshot newest;
+    private volatile Snapshot cancelled;
+    private Version told = new Version(-1, 0);
+
+    /** Makes a planner that tells its results through {@code eventThread}. */
+    public LivePlanner(PlanningSteps steps, Executor eventThread) {
+        this.steps = steps;
+        this.eventThread = eventThread;
+        this.worker = new ThreadPoolExecutor(1, 1, 0, TimeUnit.SECONDS, new LinkedBlockingQueue<>(), task -> {
+            Thread thread = new Thread(task, "planning");
+            thread.setDaemon(true);
+            return thread;
+        });
+    }
+
+    /** Returns the observers of what was planned. */
+    public Listeners<Plan> plans() {
+        return plans;
+    }
+
+    /** Returns the observers of how far the work has come. */
+    public Listeners<Work> works() {
+        return works;
+    }
+
+    /** Asks for a plan of a snapshot; the newest request wins. */
+    public void request(Snapshot snapshot) {
+        EventThread.require();
+        newest = snapshot;
+        worker.execute(() -> work(snapshot));
+    }
+
+    /** Cancels the work under way; it ends with the outcome cancelled. */
+    public void cancel() {
+        cancelled = newest;
+    }
+
+    /** Ends the background thread; work under way is cancelled. */
+    @Override
+    public void close() {
+        newest = null;
+        worker.shutdown();
+    }
+
+    private void work(Snapshot snapshot) {
+        if (newest != snapshot) {
+            return;
+        }
+        Watch watch = new Watch(snapshot);
+        try {
+            plan(snapshot, watch);
+        } finally {
+            if (newest == snapshot) {
+                eventThread.execute(() -> works.tell(Work.IDLE));
+            }
+        }
+    }
+
+    private void plan(Snapshot snapshot, Watch watch) {
+        watch.report(0, Double.NaN);
+        List<Problem> problems = steps.check(snapshot.scene());
+        if (snapshot.task().isEmpty() || problems.stream().anyMatch(p -> p.severity() == Severity.ERROR)) {
+            tell(new Plan(snapshot, Optional.empty(), problems, List.of(), List.of(), watch.elapsedMs()));
+            return;
+        }
+        Engine engine = steps.start(snapshot.scene(), snapshot.task());
+        if (!finish(engine, watch)) {
+            return;
+        }
+        Run run = engine.run();
+        Plan plan = new Plan(snapshot, Optional.of(run), problems, List.of(), List.of(), watch.elapsedMs());
+        tell(plan);
+        if (watch.isNewest()) {
+            Plan seen = plan.withOverlays(engine.overlays());
+            tell(seen);
+            if (snapshot.version().preview() == 0 && watch.isNewest()) {
+                tellRoutes(seen.withProblems(steps.inspect(snapshot.scene())), run, watch);
+            }
+        }
+    }
+
+    /** Works until the task has ended, and tells whether it has: not if it became obsolete before. */
+    private boolean finish(Engine engine, Watch watch) {
+        Outcome outcome = engine.outcome();
+        while (outcome.isRunning()) {
+            outcome = engine.step(SLICE);
+            if (watch.isObsolete()) {
+                engine.cancel();
+                return false;
+            }
+            if (watch.isCancelled()) {
+                engine.cancel();
+                return true;
+            }
+            Engine.Progress progress = engine.progress();
+            watch.report(progress.work(), progress.share());
+        }
+        return true;
+    }
+
+    /** Plans what would come out without each ability that the run uses, and by walking only. */
+    private void tellRoutes(Plan plan, Run run, Watch watch) {
+        Snapshot snapshot = plan.snapshot();
+        tell(plan);
+        if (!run.outcome().isFound()) {
+            return;
+        }
+        List<Route> routes = new ArrayList<>();
+        for (Set<Ability> without : withouts(run)) {
+            Scene scene = SceneEdits.without(snapshot.scene(), snapshot.task(), without);
+            Engine engine = steps.start(scene, snapshot.task());
+            if (!watch.isNewest() || !finish(engine, watch) || watch.isCancelled()) {
+                return;
+            }
+            routes.add(new Route(without, Optional.of(engine.run())));
+        }
+        tell(plan.withRoutes(routes));
+    }
+
+    private static List<Set<Ability>> withouts(Run run) {
+        Set<Ability> used = EnumSet.noneOf(Ability.class);
+        for (Ability ability : Ability.values()) {
+            if (ability != Ability.WALK
+                    && run.legs().stream().anyMatch(l -> l.ability().equals(ability.key()))) {
+                used.add(ability);
+            }
+        }
+        List<Set<Ability>> all = new ArrayList<>();
+        used.forEach(ability -> all.add(EnumSet.of(ability)));
+        if (!used.isEmpty()) {
+            all.add(EnumSet.complementOf(EnumSet.of(Ability.WALK)));
+        }
+        return all;
+    }
+
+    private void tell(Plan plan) {
+        eventThread.execute(() -> {
+            Version version = plan.snapshot().version();
+            Snapshot asked = newest;
+            if (asked != null && asked.version().revision() == version.revision() && version.compareTo(told) >= 0) {
+                told = version;
+                plans.tell(plan);
+            }
+        });
+    }
+
+    /** Watches one piece of work: whether it is still wanted, and when to report. */
+    private final class Watch {
+        private final Snapshot snapshot;
+        private final long begin = System.nanoTime();
+        private long reported = begin - TimeUnit.MILLISECONDS.toNanos(REPORT_MS);
+
+        private Watch(Snapshot snapshot) {
+            this.snapshot = snapshot;
+        }
+
+        private double elapsedMs() {
+            return (System.nanoTime() - begin) / 1e6;
+        }
+
+        private boolean isNewest() {
+            return newest == snapshot;
+        }
+
+        private boolean isCancelled() {
+            return cancelled == snapshot;
+        }
+
+        private boolean isObsolete() {
+            Snapshot asked = newest;
+            if (asked == snapshot) {
+                return false;
+            }
+            return asked == null
+                    || asked.version().revision() != snapshot.version().revision()
+                    || elapsedMs() > PATIENCE_MS;
+        }
+
+        private void report(long done, double share) {
+            long now = System.nanoTime();
+            if (now - reported >= TimeUnit.MILLISECONDS.toNanos(REPORT_MS)) {
+                reported = now;
+                eventThread.execute(() -> {
+                    if (isNewest()) {
+                        works.tell(new Work(true, done, share));
+                    }
+                });
+            }
+        }
+    }
+}

@@ -1,0 +1,23 @@
+package troupe.app.plan;
+
+import java.util.List;
+import troupe.run.Engine;
+import troupe.scene.Problem;
+import troupe.scene.Scene;
+
+/** Starts the work that the background thread does. Tests put guards around it. */
+public interface PlanningSteps {
+
+    /** Returns what is wrong with a scene, worst first, as far as it can be told at once. */
+    List<Problem> check(Scene scene);
+
+    /** Returns all that is wrong with a scene, worst first; may take as long as building a grid. */
+    List<Problem> inspect(Scene scene);
+
+    /**
+     * Starts a task.
+     *
+     * @throws IllegalArgumentException if the scene holds no such task or cannot be planned
+     */
+    Engine start(Scene scene, String task);
+}

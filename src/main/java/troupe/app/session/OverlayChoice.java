@@ -1,0 +1,65 @@
+package troupe.app.session;
+
+import java.util.Collection;
+import java.util.LinkedHashSet;
+import java.util.Set;
+import troupe.app.document.EventThread;
+import troupe.app.document.Listeners;
+
+/** Holds which views lie over the scene, and which layer is looked at. Belongs to the event thread. */
+public final class OverlayChoice {
+    /** The key of the plan itself, beside those of the planner's views. */
+    public static final String PLAN = "plan";
+
+    /** The key of the legend. */
+    public static final String LEGEND = "legend";
+
+    /** Stands for all layers at once. */
+    public static final int ALL_LAYERS = -1;
+
+    private final Listeners<OverlayChoice> listeners = new Listeners<>();
+    private final Set<String> keys = new LinkedHashSet<>();
+    private int layer = ALL_LAYERS;
+
+    /** Makes a choice of these views on all layers. */
+    public OverlayChoice(Collection<String> keys) {
+        this.keys.addAll(keys);
+    }
+
+    /** Returns the observers, told after each change. */
+    public Listeners<OverlayChoice> listeners() {
+        return listeners;
+    }
+
+    /** Tells whether a view is shown. */
+    public boolean shows(String key) {
+        return keys.contains(key);
+    }
+
+    /** Returns the keys of the views that are shown. */
+    public Set<String> keys() {
+        return Set.copyOf(keys);
+    }
+
+    /** Shows a view, or hides it. */
+    public void show(String key, boolean on) {
+        EventThread.require();
+        if (on ? keys.add(key) : keys.remove(key)) {
+            listeners.tell(this);
+        }
+    }
+
+    /** Returns the layer looked at, 0 the lowest, or {@link #ALL_LAYERS}. */
+    public int layer() {
+        return layer;
+    }
+
+    /** Looks at another layer, 0 the lowest, or at {@link #ALL_LAYERS}. */
+    public void lookAt(int other) {
+        EventThread.require();
+        if (layer != other) {
+            layer = other;
+            listeners.tell(this);
+        }
+    }
+}
