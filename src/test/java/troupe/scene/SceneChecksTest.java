@@ -1,0 +1,133 @@
+package troupe.scene;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class SceneChecksTest {
+
+    private static List<Problem> problems(String body) throws Exception {
+        return SceneChecks.check(SceneXmlTest.read(
+                "<scene xmlns=\"urn:troupe:scene:1\">\n<world width=\"10\" depth=\"8\"/>\n" + body + "\n</scene>"));
+    }
+
+    private static void finds(Severity severity, String words, String body) throws Exception {
+        List<Problem> found = problems(body);
+        assertTrue(
+                found.stream()
+                        .anyMatch(p -> p.severity() == severity && p.message().contains(words)),
+                () -> "no '" + words + "' in " + found);
+        assertTrue(found.stream().noneMatch(p -> p.cure().isBlank()), found::toString);
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "has 2 corners                 | 1,1 2,2",
+                "no area                       | 1,1 2,2 3,3",
+                "its edges 1 and 3             | 1,1 3,3 3,1 1,3",
+                "its edges 1 and 2             | 1,1 5,1 3,1 3,4",
+                "corners 2 and the next        | 1,1 2,1 2,1 2,3",
+                "lies outside the world        | 11,1 12,1 12,3"
+            })
+    void namesABadOutline(String words, String points) throws Exception {
+        finds(Severity.ERROR, words, "<obstacle id=\"o\" height=\"1\" points=\"" + points + "\"/>");
+        finds(Severity.ERROR, words, "<ditch id=\"o\" depth=\"1\" points=\"" + points + "\"/>");
+    }
+
+    @Test
+    void warnsOfWhatSticksOut() throws Exception {
+        finds(Severity.WARNING, "sticks out", "<obstacle id=\"o\" height=\"1\" points=\"9,1 12,1 12,3\"/>");
+    }
+
+    @ParameterizedTest
+    @CsvSource({"height,0", "height,NaN", "height,1e999", "offset,-1", "mass,0"})
+    void namesANumberOutOfRange(String name, String value) throws Exception {
+        String others = name.equals("height") ? "" : " height=\"1\"";
+        finds(
+                Severity.ERROR,
+                name + " is ",
+                "<obstacle id=\"o\"" + others + " " + name + "=\"" + value + "\" points=\"1,1 2,1 2,2\"/>");
+    }
+
+    @Test
+    void warnsOfObstaclesInTheSameSpaceOnly() throws Exception {
+        String lower = "<obstacle id=\"a\" height=\"1\" points=\"1,1 3,1 3,3 1,3\"/>";
+        finds(
+                Severity.WARNING,
+                "same space as 'a'",
+                lower + "<obstacle id=\"b\" height=\"1\" points=\"2,2 4,2 4,4\"/>");
+        finds(
+                Severity.WARNING,
+                "same space as 'a'",
+                lower + "<obstacle id=\"b\" height=\"1\" points=\"1,1 3,1 3,3 1,3\"/>");
+        assertEquals(
+                List.of(),
+                problems(lower + "<obstacle id=\"on-top\" offset=\"1\" height=\"1\" points=\"1,1 3,1 3,3 1,3\"/>"
+                        + "<obstacle id=\"beside\" height=\"1\" points=\"3,1 4,1 4,3 3,3\"/>"));
+    }
+
+    @Test
+    void namesIdsThatAreWrongOrUsedTwice() throws Exception {
+        finds(Severity.ERROR, "used twice", "<actor id=\"a\"><walk/></actor><actor id=\"a\"><walk/></actor>");
+        finds(Severity.ERROR, "'1a' is not allowed", "<actor id=\"1a\"><walk/></actor>");
+    }
+
+    static Stream<String> badActors() {
+        return Stream.of(
+                "<actor id=\"a\" footRadius=\"0.3\"><walk/></actor>",
+                "<actor id=\"a\"><walk/><sidestep radius=\"0.3\"/></actor>",
+                "<actor id=\"a\" bodyHeight=\"0.4\"><walk/></actor>",
+                "<actor id=\"a\"><walk speed=\"0\"/></actor>",
+                "<actor id=\"a\"><walk/><vault minHeight=\"0.2\"/></actor>",
+                "<actor id=\"a\"><walk/><vault minHeight=\"1.2\"/></actor>",
+                "<actor id=\"a\"><walk radius=\"NaN\"/></actor>");
+    }
+
+    @ParameterizedTest
+    @org.junit.jupiter.params.provider.MethodSource("badActors")
+    void namesAnActorThatCannotBe(String actor) throws Exception {
+        List<Problem> found = problems(actor);
+        assertEquals(
+                List.of(Severity.ERROR),
+                found.stream().map(Problem::severity).distinct().toList(),
+                found::toString);
+    }
+
+    @Test
+    void namesWhatAJourneyLacks() throws Exception {
+        String actor = "<actor id=\"a\"><walk/></actor>";
+        finds(Severity.ERROR, "no actor 'b'", actor + "<journey id=\"j\" actor=\"b\" start=\"1,1\" goal=\"2,2\"/>");
+        finds(Severity.ERROR, "the goal", actor + "<journey id=\"j\" actor=\"a\" start=\"1,1\" goal=\"2,9\"/>");
+        finds(
+                Severity.ERROR,
+                "slice",
+                actor + "<journey id=\"j\" actor=\"a\" start=\"1,1\" goal=\"2,2\" slice=\"0\"/>");
+        finds(
+                Severity.ERROR,
+                "walking is switched off",
+                actor + "<journey id=\"j\" actor=\"a\" start=\"1,1\" goal=\"2,2\"><prefer walk=\"off\"/></journey>");
+    }
+
+    @Test
+    void refusesAGridThatDoesNotFitAndNamesACellThatDoes() throws Exception {
+        Scene huge = SceneXmlTest.read("<scene xmlns=\"urn:troupe:scene:1\"><world width=\"1000\" depth=\"1000\""
+                + " cell=\"0.0001\"/></scene>");
+        List<Problem> found = SceneChecks.check(huge);
+        assertEquals(1, found.size());
+        assertTrue(found.get(0).cure().matches("a cell of .* m would fit"), found::toString);
+    }
+
+    @Test
+    void listsTheWorstFirst() throws Exception {
+        List<Problem> found = problems("<obstacle id=\"out\" height=\"1\" points=\"9,1 12,1 12,3\"/>"
+                + "<obstacle id=\"bad\" height=\"0\" points=\"1,1 2,1 2,2\"/>");
+        assertEquals(List.of("bad", "out"), found.stream().map(Problem::element).toList());
+    }
+}
