@@ -35,6 +35,7 @@ public final class Legend {
     private static final int SAMPLE = 30;
     private static final int BAR = 110;
     private static final int SAMPLE_GAP = 8;
+    private static final int MOST_CATEGORIES = 8;
 
     private final Theme theme;
     private final List<Entry> entries;
@@ -70,7 +71,11 @@ public final class Legend {
             }
         }
         for (Overlay overlay : overlays) {
-            addOverlay(entries, overlay, filled, theme, words);
+            List<Entry> more = new ArrayList<>();
+            addOverlay(more, overlay, filled, theme, words);
+            // the layers of one view say the same
+            more.removeIf(e -> entries.stream().anyMatch(known -> known.text().equals(e.text())));
+            entries.addAll(more);
         }
         return new Legend(theme, entries);
     }
@@ -95,16 +100,27 @@ public final class Legend {
             String each = c.contour() > 0 ? ", every " + number(c.contour()) + " " + c.unit() : "";
             if (filled || c.contour() <= 0) {
                 entries.add(bar(theme, c, name));
+                if (c.contour() > 0) {
+                    entries.add(line(theme.color(Tone.TEXT, 0.45), Theme.line(1), each.substring(2)));
+                }
             } else {
                 entries.add(line(theme.color(Tone.CONTOUR), Theme.line(1.4f), name + each));
             }
         } else if (overlay instanceof Overlay.Field f && f.scale() instanceof Overlay.Categories c) {
             boolean[] used = used(f, c.words().size());
             CategoryLook[] looks = CategoryLook.of(c.words(), theme);
+            int left = 0;
             for (int i = 0; i < looks.length; i++) {
                 if (used[i] && looks[i].pattern() != CategoryLook.Pattern.NONE) {
-                    entries.add(swatch(theme, looks[i], words.apply(c.words().get(i))));
+                    if (entries.size() < MOST_CATEGORIES) {
+                        entries.add(swatch(theme, looks[i], words.apply(c.words().get(i))));
+                    } else {
+                        left++;
+                    }
                 }
+            }
+            if (left > 0) {
+                entries.add(new Entry(g -> {}, 0, "+ " + left));
             }
         }
     }

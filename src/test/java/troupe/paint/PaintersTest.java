@@ -160,9 +160,31 @@ class PaintersTest {
                 List.of("stable"),
                 Legend.of(null, List.of(few), true, Theme.LIGHT, Legend.ENGLISH).texts());
         assertEquals(
-                List.of("potential, 0 to 12 m"),
+                List.of("potential, 0 to 12 m", "every 1 m"),
                 Legend.of(null, List.of(Sketch.potential()), true, Theme.LIGHT, Legend.ENGLISH)
                         .texts());
+    }
+
+    @Test
+    void legendNamesTheViewOfSeveralLayersOnceAndCutsLongLists() {
+        Overlay.Field low = Sketch.potential();
+        Overlay.Field high = new Overlay.Field("potential", 1, low.frame(), low.values(), low.scale());
+        assertEquals(
+                List.of("potential, 0 to 12 m", "every 1 m"),
+                Legend.of(null, List.of(low, high), true, Theme.DARK, Legend.ENGLISH)
+                        .texts());
+        float[] values = new float[low.values().length];
+        for (int i = 0; i < values.length; i++) {
+            values[i] = i % 30;
+        }
+        List<String> words = java.util.stream.IntStream.range(0, 30)
+                .mapToObj(k -> "layer " + k)
+                .toList();
+        Overlay.Field layers = new Overlay.Field("layers", 0, low.frame(), values, new Overlay.Categories(words));
+        List<String> texts =
+                Legend.of(null, List.of(layers), true, Theme.DARK, Legend.ENGLISH).texts();
+        assertEquals("layer 7", texts.get(7));
+        assertEquals(List.of("+ 22"), texts.subList(8, texts.size()));
     }
 
     @Test
