@@ -113,7 +113,8 @@ public final class Legend {
             for (int i = 0; i < looks.length; i++) {
                 if (used[i] && looks[i].pattern() != CategoryLook.Pattern.NONE) {
                     if (entries.size() < MOST_CATEGORIES) {
-                        entries.add(swatch(theme, looks[i], words.apply(c.words().get(i))));
+                        entries.add(
+                                swatch(theme, looks[i], words.apply(c.words().get(i))));
                     } else {
                         left++;
                     }

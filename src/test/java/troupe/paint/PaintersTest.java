@@ -181,8 +181,8 @@ class PaintersTest {
                 .mapToObj(k -> "layer " + k)
                 .toList();
         Overlay.Field layers = new Overlay.Field("layers", 0, low.frame(), values, new Overlay.Categories(words));
-        List<String> texts =
-                Legend.of(null, List.of(layers), true, Theme.DARK, Legend.ENGLISH).texts();
+        List<String> texts = Legend.of(null, List.of(layers), true, Theme.DARK, Legend.ENGLISH)
+                .texts();
         assertEquals("layer 7", texts.get(7));
         assertEquals(List.of("+ 22"), texts.subList(8, texts.size()));
     }
