@@ -125,6 +125,11 @@ final class SlowRegion {
         return disc(x, y, radius, (px, py) -> ground(px, py) > limit);
     }
 
+    /** Tells whether a sampled point nearer than {@code radius} lies in the world and has that very ground. */
+    boolean groundAt(double x, double y, double elevation, double radius) {
+        return disc(x, y, radius, (px, py) -> !outside(px, py) && ground(px, py) == elevation);
+    }
+
     /** Tells whether the outline of an obstacle or ditch wall in a body's way, or the world's, crosses a cell's inside. */
     boolean touched(double x, double y, double half, double floor) {
         Polygon world =
