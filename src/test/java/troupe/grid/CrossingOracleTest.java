@@ -29,7 +29,8 @@ class CrossingOracleTest {
         for (long seed = 1000; seed < 1000 + SCENES; seed++) {
             Scene scene = RandomScenes.layered(seed, 4, seed % 2 == 0 ? 0.2 : 0.25);
             Actor actor = RandomScenes.actor(seed);
-            if (!scene.ditches().isEmpty() && actor.walk().radius() < 0.71 * scene.world().cell()) {
+            if (!scene.ditches().isEmpty()
+                    && actor.walk().radius() < 0.71 * scene.world().cell()) {
                 continue;
             }
             Region region = Region.of(scene, actor);
@@ -111,8 +112,7 @@ class CrossingOracleTest {
             boolean[] supported = new boolean[frame.size()];
             for (int cell = 0; cell < supported.length; cell++) {
                 int q = near(cell, floor);
-                supported[cell] = q >= 0
-                        && !places.overDrop(x(cell), y(cell), region.elevation(q), actor.footRadius());
+                supported[cell] = q >= 0 && !places.overDrop(x(cell), y(cell), region.elevation(q), actor.footRadius());
             }
             boolean[] closed = closed(supported, gait / 2, false);
             boolean[] gaps = new boolean[frame.size()];
@@ -164,8 +164,7 @@ class CrossingOracleTest {
         private boolean inWay(Polygon outline, int cell) {
             double radius = actor.walk().radius();
             return outline.distance(x(cell), y(cell)) < radius
-                    || radius < 0.71 * frame.cell()
-                            && SlowRegion.crosses(outline, x(cell), y(cell), frame.cell() / 2);
+                    || radius < 0.71 * frame.cell() && SlowRegion.crosses(outline, x(cell), y(cell), frame.cell() / 2);
         }
 
         private boolean edgeInWay(int cell) {
@@ -212,7 +211,8 @@ class CrossingOracleTest {
             scene.ditches().forEach(d -> grounds.add(-d.depth()));
             for (double ground : grounds) {
                 if (ground > floor + actor.stepHeight() + 1e-9
-                        && places.groundAt(x(cell), y(cell), ground, actor.walk().radius())) {
+                        && places.groundAt(
+                                x(cell), y(cell), ground, actor.walk().radius())) {
                     solids.add(new double[] {-1e9, ground});
                 }
             }
@@ -270,8 +270,12 @@ class CrossingOracleTest {
             double dx = frame.col(end) - frame.col(begin);
             double dy = frame.row(end) - frame.row(begin);
             Polygon segment = Polygon.of(0, 0, dx, dy);
-            for (int col = Math.min(frame.col(begin), frame.col(end)); col <= Math.max(frame.col(begin), frame.col(end)); col++) {
-                for (int row = Math.min(frame.row(begin), frame.row(end)); row <= Math.max(frame.row(begin), frame.row(end)); row++) {
+            for (int col = Math.min(frame.col(begin), frame.col(end));
+                    col <= Math.max(frame.col(begin), frame.col(end));
+                    col++) {
+                for (int row = Math.min(frame.row(begin), frame.row(end));
+                        row <= Math.max(frame.row(begin), frame.row(end));
+                        row++) {
                     int cell = frame.index(col, row);
                     if (cell != begin
                             && cell != end

@@ -38,8 +38,10 @@ class StepsPropertyTest {
                 int n = region.neighbours(q, targets, directions);
                 for (int i = 0; i < n; i++) {
                     found.add(new Step(directions[i], targets[i]));
-                    elsewhere += targets[i] < region.spanCount() && q < region.spanCount()
-                                    && targets[i] / region.frame().size() != q / region.frame().size()
+                    elsewhere += targets[i] < region.spanCount()
+                                    && q < region.spanCount()
+                                    && targets[i] / region.frame().size()
+                                            != q / region.frame().size()
                             ? 1
                             : 0;
                     crossings += targets[i] >= region.spanCount() ? 1 : 0;
@@ -98,9 +100,8 @@ class StepsPropertyTest {
         int[] straight = {GridFrame.dx(d), GridFrame.dy(d) * region.frame().cols()};
         for (int offset : straight) {
             if (over.get(region.cell(q) + offset).stream()
-                    .noneMatch(s -> (!spansOnly || s < region.spanCount())
-                            && joined(region, q, s)
-                            && joined(region, s, t))) {
+                    .noneMatch(s ->
+                            (!spansOnly || s < region.spanCount()) && joined(region, q, s) && joined(region, s, t))) {
                 return false;
             }
         }
