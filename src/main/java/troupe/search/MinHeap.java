@@ -1,6 +1,7 @@
 package troupe.search;
 
 import java.util.Arrays;
+import java.util.function.IntPredicate;
 
 /**
  * Keeps open items in a 4-ary heap. Adding and removing cost O(log n); keys may come in any order.
@@ -95,6 +96,25 @@ public final class MinHeap implements OpenList {
     /** Adds an entry given as its three words without ordering it; {@link #heapify} must follow. */
     void append(long key, long tie, long number) {
         set(grown() * WORDS, key, tie, number);
+    }
+
+    /** Tells whether the first entry of a heap that is not empty comes after a key and a tie. */
+    boolean isAfter(long key, long tie) {
+        return key < entries[0] || key == entries[0] && tie < entries[1];
+    }
+
+    /** Drops the items that are outdated, unordered, and returns how many; {@link #heapify} must follow. */
+    int drop(IntPredicate outdated) {
+        int kept = 0;
+        for (int at = 0; at < size; at++) {
+            int a = at * WORDS;
+            if (!outdated.test((int) entries[a + 2])) {
+                move(a, kept++ * WORDS);
+            }
+        }
+        int dropped = size - kept;
+        size = kept;
+        return dropped;
     }
 
     /** Orders what was appended, in O(n). */

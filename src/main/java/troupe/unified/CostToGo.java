@@ -27,6 +27,21 @@ final class CostToGo implements Expander {
 
     private static final Outcome NOTHING_LEFT = new Outcome.Infeasible("everything that reaches the goal is settled");
 
+    private static final int ANY = JourneyWorkspace.ANY;
+
+    /** For each arrival, the directions in which a place must be left. */
+    private static final int[] AHEAD = new int[ANY + 1];
+
+    static {
+        for (int side = 0; side < 4; side++) {
+            int left = 1 << 4 + side;
+            int right = 1 << 4 + (side + 3 & 3);
+            AHEAD[side] = 1 << side | left | right;
+            AHEAD[4 + side] = 1 << 4 + side | 1 << side | 1 << (side + 1 & 3);
+        }
+        AHEAD[ANY] = 255;
+    }
+
     private final JourneyWorkspace work;
     private final Region region;
     private final JourneyCosts costs;
@@ -34,6 +49,7 @@ final class CostToGo implements Expander {
     private final BestFirst search;
     private final long[] toGo;
     private final int[] stamps;
+    private final short[] local;
     private final int[] offsets;
     private final long[] standing;
     private final int isOpen;
@@ -58,10 +74,11 @@ final class CostToGo implements Expander {
         this.open = work.backward();
         toGo = work.toGo;
         stamps = work.toGoStamp;
+        local = work.local;
         offsets = work.offsets;
         standing = costs.standingTable();
-        isOpen = 2 * generation;
-        isSettled = isOpen + 1;
+        isOpen = JourneyWorkspace.STAMPS * generation;
+        isSettled = isOpen + JourneyWorkspace.SETTLED;
         spans = region.spanCount();
         GridFrame frame = region.frame();
         cols = frame.cols();
@@ -73,8 +90,7 @@ final class CostToGo implements Expander {
         bend = costs.cheapestDiagonal() - straight;
         search = new BestFirst(open, this, NOTHING_LEFT, Long.MAX_VALUE);
         want(start, UNREACHABLE);
-        int goalCell = region.cell(goal);
-        reach(goal, 0, frame.col(goalCell), frame.row(goalCell));
+        reach(goal, 0);
         frontier = open.firstKey();
     }
 
@@ -127,52 +143,65 @@ final class CostToGo implements Expander {
             open.add(item, key, toGo[item]);
             return Verdict.WAITING;
         }
+        int arrival = stamps[item] - isOpen;
         stamps[item] = isSettled;
-        if (region.plain(item)) {
-            expandPlain(item);
+        if ((local[item] & JourneyWorkspace.PLAIN) != 0) {
+            expandPlain(item, arrival);
         } else {
             expandLinked(item);
         }
         return Verdict.EXPANDED;
     }
 
-    private void expandPlain(int to) {
+    /**
+     * Expands a place whose legal steps all lie on its own sheet. It leaves out the neighbours that the
+     * place it was reached from reaches more cheaply by itself: on a way of least cost they never follow.
+     */
+    private void expandPlain(int to, int arrival) {
+        short[] local = this.local;
+        int[] stamps = this.stamps;
+        int here = local[to];
         int cell = to < cells ? to : to % cells;
         int row = cell / cols;
         int col = cell - row * cols;
-        int abilities = region.abilities(to);
+        int abilities = here >> JourneyWorkspace.ABILITIES;
         long cost = toGo[to];
-        for (int rest = region.moves(to); rest != 0; rest &= rest - 1) {
+        boolean calm = (here & JourneyWorkspace.CALM) != 0;
+        for (int rest = here & AHEAD[arrival]; rest != 0; rest &= rest - 1) {
             int direction = Integer.numberOfTrailingZeros(rest);
             int from = to + offsets[direction];
-            if (stamps[from] != isSettled) {
-                int common = abilities & region.abilities(from) & 3;
-                long step = standing[common << 1 | direction >> 2];
-                reach(from, cost + step, col + GridFrame.dx(direction), row + GridFrame.dy(direction));
+            int stamp = stamps[from];
+            if (stamp != isSettled) {
+                int common = abilities & local[from] >> JourneyWorkspace.ABILITIES;
+                long next = cost + standing[common << 1 | direction >> 2];
+                if (next < JourneyCosts.BLOCKED && (stamp < isOpen || next < toGo[from])) {
+                    stamps[from] = isOpen + (calm ? direction : ANY);
+                    toGo[from] = next;
+                    open.add(
+                            from, next + fromStart(col + GridFrame.dx(direction), row + GridFrame.dy(direction)), next);
+                }
             }
         }
     }
 
     private void expandLinked(int to) {
         int count = region.neighbours(to, work.targets, work.directions);
-        GridFrame frame = region.frame();
         for (int i = 0; i < count; i++) {
             int from = work.targets[i];
             long step = step(from, to, work.directions[i]);
             if (stamps[from] != isSettled && step < JourneyCosts.BLOCKED) {
-                int cell = region.cell(from);
-                reach(from, toGo[to] + step, frame.col(cell), frame.row(cell));
+                reach(from, toGo[to] + step);
             }
         }
     }
 
-    private void reach(int configuration, long cost, int col, int row) {
-        if (cost >= JourneyCosts.BLOCKED || stamps[configuration] == isOpen && toGo[configuration] <= cost) {
+    private void reach(int configuration, long cost) {
+        if (cost >= JourneyCosts.BLOCKED || stamps[configuration] >= isOpen && toGo[configuration] <= cost) {
             return;
         }
-        stamps[configuration] = isOpen;
+        stamps[configuration] = isOpen + ANY;
         toGo[configuration] = cost;
-        open.add(configuration, cost + fromStart(col, row), cost);
+        open.add(configuration, cost + fromStart(configuration), cost);
     }
 
     private long fromStart(int configuration) {

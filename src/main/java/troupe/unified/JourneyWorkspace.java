@@ -3,17 +3,40 @@ package troupe.unified;
 import java.util.Arrays;
 import troupe.grid.GridFrame;
 import troupe.grid.Region;
+import troupe.scene.Ability;
 import troupe.search.BucketQueue;
 import troupe.search.LabelPool;
 import troupe.search.MinHeap;
 
 /**
- * Holds the memory that searches over one region need, about 24 bytes per configuration, so that
+ * Holds the memory that searches over one region need, about 26 bytes per configuration, so that
  * thousands of problems share it: a generation stamp takes the place of clearing. One search at a time
  * owns it; the next one takes it over. Used by one thread at a time.
  */
 public final class JourneyWorkspace {
-    private static final int LAST_GENERATION = 1 << 29;
+    /** How many stamps a generation has. */
+    static final int STAMPS = 16;
+
+    /** The stamp within a generation of a place that may be left in any direction. */
+    static final int ANY = GridFrame.DIRECTIONS;
+
+    /** The stamp within a generation of a place whose cost to go is known exactly; those below are open. */
+    static final int SETTLED = ANY + 1;
+
+    /** The next label of a label that has been dominated. */
+    static final int DOMINATED = -2;
+
+    /** Bits of {@link #local} above the eight of the legal steps: all steps stay on the sheet. */
+    static final int PLAIN = 1 << 8;
+
+    /** All eight steps are legal, and the place and its neighbours allow the same abilities. */
+    static final int CALM = 1 << 9;
+
+    /** The first of the bits that tell the standing abilities. */
+    static final int ABILITIES = 10;
+
+    private static final int STANDING = Ability.WALK.bit() | Ability.SIDESTEP.bit();
+    private static final int LAST_GENERATION = (Integer.MAX_VALUE >> 4) - 1;
 
     final Region region;
     final int[] offsets;
@@ -21,7 +44,7 @@ public final class JourneyWorkspace {
     /** The cost to go in units, valid where {@link #toGoStamp} is of this generation. */
     final long[] toGo;
 
-    /** Twice the generation where the cost to go is open, one more where it is settled. */
+    /** The generation times {@link #STAMPS}, plus {@link #SETTLED}, the direction it was reached in, or {@link #ANY}. */
     final int[] toGoStamp;
 
     /** The first label of each configuration, valid where {@link #chainStamp} is of this generation. */
@@ -33,6 +56,9 @@ public final class JourneyWorkspace {
     final MinHeap heap = new MinHeap(1024);
     final int[] targets = new int[Region.MAX_NEIGHBOURS];
     final int[] directions = new int[Region.MAX_NEIGHBOURS];
+
+    /** What a step from each configuration needs to know: the legal steps, {@link #PLAIN}, {@link #CALM}, abilities. */
+    final short[] local;
 
     private BucketQueue forward;
     private BucketQueue backward;
@@ -48,6 +74,27 @@ public final class JourneyWorkspace {
         toGoStamp = new int[region.size()];
         chain = new int[region.size()];
         chainStamp = new int[region.size()];
+        local = new short[region.size()];
+        for (int q = 0; q < local.length; q++) {
+            if (region.open(q)) {
+                local[q] = (short) local(q);
+            }
+        }
+    }
+
+    private int local(int q) {
+        int moves = region.moves(q);
+        int abilities = region.abilities(q);
+        int bits = moves | (abilities & STANDING) << ABILITIES;
+        if (region.plain(q)) {
+            bits |= PLAIN;
+            boolean calm = moves == 255;
+            for (int d = 0; calm && d < GridFrame.DIRECTIONS; d++) {
+                calm = region.abilities(q + offsets[d]) == abilities;
+            }
+            bits |= calm ? CALM : 0;
+        }
+        return bits;
     }
 
     /** Returns the region that the memory is for. */
@@ -63,17 +110,22 @@ public final class JourneyWorkspace {
             generation = 0;
         }
         generation++;
-        int shift = Math.max(0, costs.unitBits() - 3);
+        int shift = Math.max(0, costs.unitBits() - 8);
         if (queueBits != shift) {
             queueBits = shift;
-            forward = new BucketQueue(shift);
-            backward = new BucketQueue(shift);
+            forward = new BucketQueue(shift, label -> labels.next(label) == DOMINATED);
+            backward = new BucketQueue(shift, this::isSettled);
         }
         forward.clear();
         backward.clear();
         heap.clear();
         labels.clear();
         return generation;
+    }
+
+    /** Tells whether the cost to go from a configuration is known exactly. */
+    boolean isSettled(int configuration) {
+        return toGoStamp[configuration] == STAMPS * generation + SETTLED;
     }
 
     BucketQueue forward() {

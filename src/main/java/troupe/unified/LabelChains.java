@@ -11,7 +11,7 @@ import troupe.search.LabelPool;
  * configuration keeps its first label only (Unified figure 6).
  */
 final class LabelChains {
-    private static final int DOMINATED = -2;
+    private static final int DOMINATED = JourneyWorkspace.DOMINATED;
 
     private final Region region;
     private final LabelPool labels;

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Random;
@@ -74,6 +75,24 @@ class OpenListOracleTest {
                 .getMessage();
         assertTrue(message.contains("10") && message.contains("11"), message);
         assertEquals(2, buckets.removeFirst());
+    }
+
+    @Test
+    void bucketsDropWhatIsOutdatedWhenItsBucketIsReached() {
+        BitSet outdated = new BitSet();
+        BucketQueue buckets = new BucketQueue(2, outdated::get);
+        for (int item = 0; item < 40; item++) {
+            buckets.add(item, 3L * item, 0);
+        }
+        outdated.set(1, 40);
+        outdated.clear(30);
+        assertEquals(0, buckets.removeFirst());
+        assertEquals(1, buckets.removeFirst(), "its bucket had been reached before it was outdated");
+        assertEquals(90, buckets.firstKey());
+        assertEquals(30, buckets.removeFirst());
+        assertTrue(buckets.isEmpty());
+        assertEquals(0, buckets.size());
+        assertThrows(IllegalStateException.class, buckets::removeFirst);
     }
 
     @Test
