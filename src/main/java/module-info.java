@@ -13,4 +13,7 @@ module troupe {
     exports troupe.unified;
     exports troupe.paint;
     exports troupe.exchange;
+    exports troupe.work;
+
+    uses troupe.work.Window;
 }

@@ -1,11 +1,34 @@
 package troupe.cli;
 
+import java.util.List;
+
 /** Starts the program. */
 public final class Troupe {
     private Troupe() {}
 
-    /** Runs a command; see {@code --help}. */
+    /** Runs a command; see {@code --help}. The process ends with the command's exit code. */
     public static void main(String[] arguments) {
-        System.out.println("Troupe");
+        int code;
+        try (Interruption interruption = new Interruption()) {
+            CommandLine line = new CommandLine(all(), new DefaultCommand(OpenCommand::window));
+            code = line.run(List.of(arguments), Terminal.system(interruption));
+        }
+        if (code != CommandLine.OK) {
+            System.exit(code);
+        }
+    }
+
+    /** Returns all commands, in the order of the help. */
+    static List<Command> all() {
+        return List.of(
+                new OpenCommand(),
+                new CheckCommand(),
+                new RunCommand(),
+                new FieldsCommand(),
+                new ReplayCommand(),
+                new ExportCommand(),
+                new ImportCommand(),
+                new BatchCommand(),
+                new RecordCommand());
     }
 }

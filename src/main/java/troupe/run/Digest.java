@@ -6,6 +6,7 @@ import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
+import java.util.List;
 
 /**
  * Takes the fingerprint of frames: SHA-256 over the channels (name, unit, type, owner, width), the rate, the
@@ -17,9 +18,8 @@ public final class Digest {
 
     /** Returns the digest as 64 lower-case hexadecimal digits. Cost O(values). */
     public static String of(Frames frames) {
-        MessageDigest digest = sha256();
+        MessageDigest digest = begin(frames.channels(), frames.rate(), frames.count());
         FrameLayout layout = new FrameLayout(frames.channels());
-        digest.update(head(frames));
         byte[] bytes = new byte[layout.bytes()];
         for (int frame = 0; frame < frames.count(); frame++) {
             layout.copy(frames, frame, bytes, 0);
@@ -33,23 +33,25 @@ public final class Digest {
         return HexFormat.of().formatHex(sha256().digest(bytes));
     }
 
-    private static byte[] head(Frames frames) {
+    /** Begins a digest that wants the bytes of every frame in order. */
+    static MessageDigest begin(List<Channel> all, double rate, int count) {
         StringBuilder channels = new StringBuilder();
-        for (Channel c : frames.channels()) {
+        for (Channel c : all) {
             channels.append(c.name()).append('\0').append(c.unit()).append('\0');
             channels.append(c.type()).append('\0').append(c.owner()).append('\0');
             channels.append(c.width()).append('\n');
         }
-        byte[] text = channels.toString().getBytes(StandardCharsets.UTF_8);
-        return ByteBuffer.allocate(text.length + 12)
+        MessageDigest digest = sha256();
+        digest.update(channels.toString().getBytes(StandardCharsets.UTF_8));
+        digest.update(ByteBuffer.allocate(12)
                 .order(ByteOrder.LITTLE_ENDIAN)
-                .put(text)
-                .putDouble(frames.rate())
-                .putInt(frames.count())
-                .array();
+                .putDouble(rate)
+                .putInt(count)
+                .array());
+        return digest;
     }
 
-    static MessageDigest sha256() {
+    private static MessageDigest sha256() {
         try {
             return MessageDigest.getInstance("SHA-256");
         } catch (NoSuchAlgorithmException e) {

@@ -9,6 +9,8 @@ import java.util.List;
  * a time.
  */
 public final class FrameRecorder {
+    private static final int MAX_BLOCK_BYTES = 1 << 26;
+
     private final double rate;
     private final FrameLayout layout;
     private final int block;
@@ -19,15 +21,25 @@ public final class FrameRecorder {
      * Makes an empty recorder.
      *
      * @param rate frames per second, above 0, at most 1,000
-     * @throws IllegalArgumentException if the rate is outside its range or a frame would be larger than 16 MiB
+     * @throws IllegalArgumentException if the rate is outside its range or a second of frames takes more than 64 MiB
      */
     public FrameRecorder(double rate, List<Channel> channels) {
-        this.rate = checkedRate(rate);
+        this.rate = rate;
         this.layout = new FrameLayout(channels);
-        this.block = framesPerBlock(rate);
+        this.block = checkedBlock(rate, layout);
     }
 
-    static double checkedRate(double rate) {
+    /** Returns the frames of a block, after checking that a block stays within 64 MiB. */
+    static int checkedBlock(double rate, FrameLayout layout) {
+        int block = framesPerBlock(checkedRate(rate));
+        if ((long) block * layout.bytes() > MAX_BLOCK_BYTES) {
+            throw new IllegalArgumentException("a second of frames takes " + (long) block * layout.bytes()
+                    + " bytes; needs at most " + MAX_BLOCK_BYTES);
+        }
+        return block;
+    }
+
+    private static double checkedRate(double rate) {
         if (!(rate > 0 && rate <= 1_000)) {
             throw new IllegalArgumentException("rate " + rate + " frames/s; needs a number above 0, at most 1000");
         }

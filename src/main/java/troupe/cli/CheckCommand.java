@@ -1,0 +1,50 @@
+package troupe.cli;
+
+import java.io.IOException;
+import java.util.List;
+import troupe.scene.Problem;
+import troupe.scene.SceneException;
+import troupe.scene.SceneSource;
+import troupe.scene.Severity;
+import troupe.work.SceneInspection;
+
+/** Tells every problem of a scene. */
+final class CheckCommand implements Command {
+
+    @Override
+    public String name() {
+        return "check";
+    }
+
+    @Override
+    public String usage() {
+        return "SCENE";
+    }
+
+    @Override
+    public String summary() {
+        return "tell every problem of a scene; exit code 1 if one is an error";
+    }
+
+    @Override
+    public List<Option> options() {
+        return List.of();
+    }
+
+    @Override
+    public int run(Arguments arguments, Terminal terminal) throws UsageException, SceneException, IOException {
+        String word = arguments.only("SCENE");
+        SceneSource source = SceneFiles.read(word, terminal);
+        List<Problem> problems = SceneInspection.check(source);
+        problems.forEach(p -> terminal.out().println(word + SceneFiles.line(p)));
+        long errors =
+                problems.stream().filter(p -> p.severity() == Severity.ERROR).count();
+        terminal.out()
+                .println(word + ": " + count(errors, "error") + ", " + count(problems.size() - errors, "warning"));
+        return errors > 0 ? CommandLine.FAILED : CommandLine.OK;
+    }
+
+    private static String count(long n, String word) {
+        return n + " " + word + (n == 1 ? "" : "s");
+    }
+}

@@ -1,0 +1,97 @@
+package troupe.cli;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import troupe.exchange.ExchangeException;
+import troupe.exchange.ExportSettings;
+import troupe.exchange.Exporter;
+import troupe.exchange.Formats;
+import troupe.paint.Theme;
+import troupe.run.Run;
+import troupe.run.RunException;
+import troupe.run.RunFile;
+
+/** Writes a saved run in another format. */
+final class ExportCommand implements Command {
+
+    @Override
+    public String name() {
+        return "export";
+    }
+
+    @Override
+    public String usage() {
+        return "FILE.run --format F -o FILE [--at T] [--width N] [--rate N] [--dark]";
+    }
+
+    @Override
+    public String summary() {
+        return "write a saved run in another format";
+    }
+
+    @Override
+    public List<Option> options() {
+        return List.of(
+                Option.of("--format", "F", "the format, see below; without it the one that FILE's ending names"),
+                Option.of("-o", "FILE", "where to write, - for standard output"),
+                Option.of("--at", "T", "the time in seconds of a single picture; without it the start"),
+                Option.of("--width", "N", "width of a picture in pixels"),
+                Option.of("--rate", "N", "pictures for each second of an animation"),
+                Option.flag("--dark", "pictures in the dark theme"));
+    }
+
+    @Override
+    public List<String> notes() {
+        List<String> lines = new ArrayList<>();
+        for (Exporter exporter : Formats.exporters()) {
+            lines.add(exporter.name() + ": " + exporter.about());
+        }
+        return lines;
+    }
+
+    @Override
+    public int run(Arguments arguments, Terminal terminal)
+            throws UsageException, RunException, ExchangeException, IOException {
+        Path file = Arguments.path(arguments.only("FILE.run"));
+        String target = arguments.needed("-o", "FILE");
+        Exporter exporter = exporter(arguments, target);
+        ExportSettings settings = settings(arguments);
+        Run run = RunFile.read(file);
+        Pictures.export(exporter, run, settings, target, terminal);
+        return CommandLine.OK;
+    }
+
+    private static Exporter exporter(Arguments arguments, String target) throws UsageException {
+        Optional<String> format = arguments.value("--format");
+        try {
+            if (format.isPresent()) {
+                return Formats.exporter(format.get());
+            }
+        } catch (IllegalArgumentException e) {
+            throw new UsageException(e.getMessage(), e);
+        }
+        return Formats.exporterFor(Arguments.path(target))
+                .orElseThrow(() -> new UsageException("needs --format; there are "
+                        + String.join(
+                                ", ",
+                                Formats.exporters().stream().map(Exporter::name).toList())));
+    }
+
+    private static ExportSettings settings(Arguments arguments) throws UsageException {
+        ExportSettings settings = ExportSettings.DEFAULT;
+        try {
+            Optional<Double> at = arguments.number("--at");
+            Optional<Long> width = arguments.whole("--width", 1, Integer.MAX_VALUE);
+            Optional<Double> rate = arguments.number("--rate");
+            settings = at.isPresent() ? settings.at(at.get()) : settings;
+            settings = width.isPresent() ? settings.wide(width.get().intValue()) : settings;
+            settings = rate.isPresent() ? settings.every(rate.get()) : settings;
+        } catch (IllegalArgumentException e) {
+            throw new UsageException(e.getMessage(), e);
+        }
+        return arguments.has("--dark") ? settings.in(Theme.DARK) : settings;
+    }
+}

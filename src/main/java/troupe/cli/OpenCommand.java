@@ -1,0 +1,54 @@
+package troupe.cli;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.ServiceLoader;
+import troupe.work.Window;
+
+/** Opens the studio. */
+final class OpenCommand implements Command {
+
+    @Override
+    public String name() {
+        return "open";
+    }
+
+    @Override
+    public String usage() {
+        return "[FILE]";
+    }
+
+    @Override
+    public String summary() {
+        return "open the studio, with a scene or a run";
+    }
+
+    @Override
+    public List<Option> options() {
+        return List.of();
+    }
+
+    @Override
+    public int run(Arguments arguments, Terminal terminal) throws UsageException, IOException {
+        Optional<Path> file =
+                arguments.count() == 0 ? Optional.empty() : Optional.of(Arguments.path(arguments.only("FILE")));
+        if (file.isPresent() && !Files.exists(file.get())) {
+            throw new NoSuchFileException(file.get().toString());
+        }
+        Optional<Window> window = window();
+        if (window.isEmpty()) {
+            throw new UsageException("there is no display to open the studio on; troupe run plans without one");
+        }
+        window.get().open(file);
+        return CommandLine.OK;
+    }
+
+    /** Finds the window, if there is a display for it. */
+    static Optional<Window> window() {
+        return ServiceLoader.load(Window.class).findFirst().filter(Window::available);
+    }
+}

@@ -1,0 +1,72 @@
+package troupe.cli;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import troupe.exchange.ExchangeException;
+import troupe.run.Run;
+import troupe.run.RunException;
+import troupe.run.RunFile;
+import troupe.work.GoldenRuns;
+
+/** Looks at a saved run, or checks it. */
+final class ReplayCommand implements Command {
+
+    @Override
+    public String name() {
+        return "replay";
+    }
+
+    @Override
+    public String usage() {
+        return "FILE.run [--verify] [--at T --png FILE]";
+    }
+
+    @Override
+    public String summary() {
+        return "look at a saved run, or check it";
+    }
+
+    @Override
+    public List<Option> options() {
+        return List.of(
+                Option.flag("--verify", "runs the task again and compares every bit; exit code 1 at a difference"),
+                Option.of("--at", "T", "the time in seconds that --png shows; without it the end"),
+                Option.of("--png", "FILE", "draws a picture, - for standard output"),
+                Option.flag("--json", "prints the report as one JSON object"));
+    }
+
+    @Override
+    public int run(Arguments arguments, Terminal terminal)
+            throws UsageException, RunException, ExchangeException, IOException {
+        Path file = Arguments.path(arguments.only("FILE.run"));
+        Optional<Double> at = arguments.number("--at");
+        if (at.isPresent() && !arguments.has("--png")) {
+            throw new UsageException("--at says what --png shows, and --png is missing");
+        }
+        Run run = RunFile.read(file);
+        if (arguments.has("--png")) {
+            double time = at.orElse(run.frames().duration());
+            Pictures.write(run, time, arguments.needed("--png", "FILE"), terminal);
+        }
+        if (arguments.has("--verify")) {
+            return verify(run, terminal);
+        }
+        if (!arguments.value("--png").equals(Optional.of("-"))) {
+            terminal.out().println(arguments.has("--json") ? Planning.json(run) : Planning.summary(run));
+        }
+        return CommandLine.OK;
+    }
+
+    private static int verify(Run run, Terminal terminal) {
+        Run again = Planning.plan(run.scene(), run.task(), terminal, false);
+        Optional<String> difference = GoldenRuns.difference(run, again);
+        if (difference.isPresent()) {
+            terminal.out().println(run.task() + ": differs: " + difference.get());
+            return CommandLine.FAILED;
+        }
+        terminal.out().println(run.task() + ": verified, " + run.frames().count() + " frames equal bit by bit");
+        return CommandLine.OK;
+    }
+}

@@ -1,0 +1,77 @@
+package troupe.cli;
+
+import java.io.IOException;
+import java.util.List;
+import java.util.Optional;
+import troupe.run.Run;
+import troupe.run.RunFile;
+import troupe.scene.Scene;
+import troupe.scene.SceneException;
+import troupe.scene.SceneSource;
+
+/** Plans a task of a scene. */
+final class RunCommand implements Command {
+
+    @Override
+    public String name() {
+        return "run";
+    }
+
+    @Override
+    public String usage() {
+        return "SCENE [--task ID] [--set KEY=VALUE]... [--seed N] [-o FILE.run] [--json] [--quiet]";
+    }
+
+    @Override
+    public String summary() {
+        return "plan or simulate a task of a scene";
+    }
+
+    @Override
+    public List<Option> options() {
+        return List.of(
+                SceneFiles.TASK,
+                SceneFiles.SET,
+                Option.of("--seed", "N", "the seed of every random choice"),
+                Option.of("-o", "FILE.run", "writes the run to a file, - for standard output"),
+                Option.flag("--json", "prints the report as one JSON object"),
+                Option.flag("--quiet", "prints nothing but what was asked for"));
+    }
+
+    @Override
+    public List<String> notes() {
+        return List.of(
+                "SCENE is a file, or - for standard input. Exit code 1: there is no solution, or it was not",
+                "found within limit.expansions. Ctrl-C ends the work and keeps what is complete.");
+    }
+
+    @Override
+    public int run(Arguments arguments, Terminal terminal) throws UsageException, SceneException, IOException {
+        String word = arguments.only("SCENE");
+        SceneSource source = SceneFiles.read(word, terminal);
+        String task = SceneFiles.task(source.scene(), arguments, terminal);
+        Scene scene = SceneFiles.settled(source.scene(), task, arguments);
+        Optional<Long> seed = arguments.whole("--seed", Long.MIN_VALUE, Long.MAX_VALUE);
+        if (seed.isPresent()) {
+            scene = SceneFiles.set(scene, task, "seed", seed.get().toString());
+        }
+        if (SceneFiles.refused(new SceneSource(scene, source.lines()), word, terminal)) {
+            return CommandLine.BAD_INPUT;
+        }
+        Run run = Planning.plan(scene, task, terminal, arguments.has("--quiet"));
+        Optional<String> file = arguments.value("-o");
+        boolean piped = file.isPresent() && file.get().equals("-");
+        if (piped) {
+            RunFile.write(run, terminal.out());
+            terminal.out().flush();
+        } else if (file.isPresent()) {
+            RunFile.write(run, Arguments.path(file.get()));
+        }
+        if (arguments.has("--json")) {
+            (piped ? terminal.err() : terminal.out()).println(Planning.json(run));
+        } else if (!arguments.has("--quiet")) {
+            (piped ? terminal.err() : terminal.out()).println(Planning.summary(run));
+        }
+        return run.outcome().isFound() ? CommandLine.OK : CommandLine.FAILED;
+    }
+}

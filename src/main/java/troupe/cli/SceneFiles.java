@@ -1,0 +1,82 @@
+package troupe.cli;
+
+import java.io.IOException;
+import java.util.List;
+import troupe.scene.Problem;
+import troupe.scene.Scene;
+import troupe.scene.SceneChecks;
+import troupe.scene.SceneException;
+import troupe.scene.SceneSource;
+import troupe.scene.SceneXml;
+import troupe.scene.Settings;
+import troupe.scene.Severity;
+import troupe.work.Tasks;
+
+/** Reads scenes for commands and applies what the command line sets. */
+final class SceneFiles {
+    static final Option TASK = Option.of("--task", "ID", "the task; without it the first one of the scene");
+    static final Option SET =
+            Option.many("--set", "KEY=VALUE", "changes a setting: ordering=paper, preference.vault=2, start=2.9,0.9");
+
+    private SceneFiles() {}
+
+    /** Reads a scene from a file, or from standard input for {@code -}. */
+    static SceneSource read(String word, Terminal terminal) throws UsageException, SceneException, IOException {
+        return word.equals("-") ? SceneXml.read(terminal.in(), "standard input") : SceneXml.read(Arguments.path(word));
+    }
+
+    /** Tells every error of a scene and returns whether there was one. */
+    static boolean refused(SceneSource source, String word, Terminal terminal) {
+        List<Problem> errors = SceneChecks.check(source.scene(), source.lines()).stream()
+                .filter(p -> p.severity() == Severity.ERROR)
+                .toList();
+        errors.forEach(p -> terminal.say(word + line(p)));
+        return !errors.isEmpty();
+    }
+
+    /** Returns a problem as one line. */
+    static String line(Problem problem) {
+        return (problem.line() > 0 ? ":" + problem.line() : "") + ": "
+                + problem.severity().name().toLowerCase(java.util.Locale.ROOT) + ": "
+                + (problem.element().isEmpty() ? "" : problem.element() + ": ") + problem.message()
+                + (problem.cure().isEmpty() ? "" : "; " + problem.cure());
+    }
+
+    /** Returns the id of the task that is meant. */
+    static String task(Scene scene, Arguments arguments, Terminal terminal) throws UsageException {
+        if (scene.tasks().isEmpty()) {
+            throw new UsageException("the scene has no task to plan");
+        }
+        String first = scene.tasks().get(0).id();
+        String id = arguments.value(TASK.name()).orElse(first);
+        if (scene.task(id).isEmpty()) {
+            throw new UsageException("unknown task '" + id + "'; the scene has " + Tasks.ids(scene));
+        }
+        if (!arguments.has(TASK.name()) && scene.tasks().size() > 1) {
+            terminal.say("task '" + id + "' of " + Tasks.ids(scene));
+        }
+        return id;
+    }
+
+    /** Returns the scene with every {@code --set key=value} applied, in order. */
+    static Scene settled(Scene scene, String task, Arguments arguments) throws UsageException {
+        Scene changed = scene;
+        for (String setting : arguments.all(SET.name())) {
+            int equals = setting.indexOf('=');
+            if (equals < 1) {
+                throw new UsageException("--set " + setting + "; needs key=value");
+            }
+            changed = set(changed, task, setting.substring(0, equals), setting.substring(equals + 1));
+        }
+        return changed;
+    }
+
+    /** Returns the scene with one setting changed. */
+    static Scene set(Scene scene, String task, String key, String value) throws UsageException {
+        try {
+            return Settings.apply(scene, task, key, value);
+        } catch (IllegalArgumentException e) {
+            throw new UsageException(e.getMessage(), e);
+        }
+    }
+}

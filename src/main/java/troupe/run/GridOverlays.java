@@ -1,0 +1,203 @@
+package troupe.run;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.function.IntPredicate;
+import java.util.function.IntToDoubleFunction;
+import java.util.stream.IntStream;
+import troupe.grid.Kind;
+import troupe.grid.Layers;
+import troupe.grid.Nf2;
+import troupe.grid.Region;
+import troupe.scene.Ability;
+
+/**
+ * Turns the grid core into overlays, one field for each layer: a crossing is shown in the layer that it is
+ * entered from, under a span of that layer where there are both. Immutable; serves any thread.
+ */
+public final class GridOverlays {
+    /** The keys of the overlays, in the order of menus. */
+    public static final List<String> KEYS =
+            List.of("layers", "elevation", "region", "class", "clearance", "crossings", "skeleton", "potential");
+
+    private static final List<String> KINDS = IntStream.rangeClosed(Kind.ABSENT, Kind.FORBIDDEN)
+            .mapToObj(kind -> Kind.word((byte) kind))
+            .toList();
+    private static final int NOWHERE = -1;
+    private static final double CONTOURS = 12;
+
+    private final Region region;
+    private final int[] layer;
+    private final int layers;
+
+    /**
+     * Makes the overlays of a region.
+     *
+     * @param layers the layers of the spans of the region. Cost O(size of the region).
+     */
+    public GridOverlays(Region region, Layers layers) {
+        this.region = region;
+        this.layers = layers.count();
+        layer = new int[region.size()];
+        Arrays.fill(layer, NOWHERE);
+        for (int q = 0; q < region.spanCount(); q++) {
+            if (region.spans().exists(q)) {
+                layer[q] = layers.layer(q);
+            }
+        }
+        spreadToCrossings();
+    }
+
+    private void spreadToCrossings() {
+        int[] targets = new int[Region.MAX_NEIGHBOURS];
+        int[] directions = new int[Region.MAX_NEIGHBOURS];
+        boolean changed = true;
+        while (changed) {
+            changed = false;
+            for (int q = region.spanCount(); q < region.size(); q++) {
+                int count = region.neighbours(q, targets, directions);
+                for (int i = 0; i < count; i++) {
+                    int other = layer[targets[i]];
+                    if (other != NOWHERE && (layer[q] == NOWHERE || other < layer[q])) {
+                        layer[q] = other;
+                        changed = true;
+                    }
+                }
+            }
+        }
+    }
+
+    /**
+     * Returns the overlays of one kind; none if it needs NF2 and that is missing.
+     *
+     * @param nf2 the field towards the goal, null if there is none
+     * @throws IllegalArgumentException if the key is not one of {@link #KEYS}
+     */
+    public List<Overlay> of(String key, Nf2 nf2) {
+        return switch (key) {
+            case "layers" -> layers();
+            case "elevation" -> elevation();
+            case "region" -> region();
+            case "class" -> kinds();
+            case "clearance" -> clearance();
+            case "crossings" -> crossings();
+            case "skeleton" -> nf2 == null ? List.of() : skeleton(nf2);
+            case "potential" -> nf2 == null ? List.of() : potential(nf2);
+            default ->
+                throw new IllegalArgumentException("overlay '" + key + "'; needs one of " + String.join(", ", KEYS));
+        };
+    }
+
+    /** Returns which cells each layer covers. */
+    public List<Overlay> layers() {
+        List<String> words =
+                IntStream.range(0, layers).mapToObj(k -> "layer " + (k + 1)).toList();
+        return fields("layers", q -> q < region.spanCount(), q -> layer[q], new Overlay.Categories(words));
+    }
+
+    /** Returns the floor elevations. */
+    public List<Overlay> elevation() {
+        return measured("elevation", q -> q < region.spanCount(), region::elevation, false);
+    }
+
+    /** Returns where the actor can be, by the first ability usable there. */
+    public List<Overlay> region() {
+        List<String> words =
+                Arrays.stream(Ability.values()).map(Ability::key).limit(4).toList();
+        return fields(
+                "region",
+                region::open,
+                q -> Integer.numberOfTrailingZeros(region.abilities(q)),
+                new Overlay.Categories(words));
+    }
+
+    /** Returns the class of every configuration. */
+    public List<Overlay> kinds() {
+        return fields("class", q -> true, region::kind, new Overlay.Categories(KINDS));
+    }
+
+    /** Returns the crossings. */
+    public List<Overlay> crossings() {
+        return fields("crossings", q -> q >= region.spanCount(), region::kind, new Overlay.Categories(KINDS));
+    }
+
+    /** Returns the clearance of the spans. */
+    public List<Overlay> clearance() {
+        return measured("clearance", q -> q < region.spanCount(), region::clearance, false);
+    }
+
+    /** Returns the potential, with contour lines. */
+    public List<Overlay> potential(Nf2 nf2) {
+        return measured("potential", q -> region.open(q) && Double.isFinite(nf2.potential(q)), nf2::potential, true);
+    }
+
+    /** Returns the skeleton as polylines. */
+    public List<Overlay> skeleton(Nf2 nf2) {
+        SkeletonLines lines = new SkeletonLines(region, nf2::skeleton, layer, layers);
+        List<Overlay> overlays = new ArrayList<>();
+        for (int k = 0; k < layers; k++) {
+            overlays.add(new Overlay.Lines("skeleton", k, lines.inLayer(k)));
+        }
+        return overlays;
+    }
+
+    private List<Overlay> measured(String key, IntPredicate shown, IntToDoubleFunction value, boolean contours) {
+        double min = Double.POSITIVE_INFINITY;
+        double max = Double.NEGATIVE_INFINITY;
+        for (int q = 0; q < layer.length; q++) {
+            if (layer[q] != NOWHERE && shown.test(q)) {
+                double v = value.applyAsDouble(q);
+                min = Math.min(min, v);
+                max = Math.max(max, v);
+            }
+        }
+        if (!(min <= max)) {
+            min = 0;
+            max = 0;
+        }
+        double least = key.equals("elevation") ? min : 0;
+        double step = contours && max > 0 ? round(max / CONTOURS) : 0;
+        return fields(key, shown, value, new Overlay.Continuous("m", least, Math.max(max, least + 1e-3), step));
+    }
+
+    /** Returns the number of the form 1, 2 or 5 times a power of ten next above {@code value}. */
+    static double round(double value) {
+        double power = 1e-9;
+        while (power * 10 <= value) {
+            power *= 10;
+        }
+        for (double factor : new double[] {1, 2, 5}) {
+            if (power * factor >= value) {
+                return power * factor;
+            }
+        }
+        return power * 10;
+    }
+
+    private List<Overlay> fields(String key, IntPredicate shown, IntToDoubleFunction value, Overlay.Scale scale) {
+        float[][] values = new float[layers][];
+        for (int q = layer.length - 1; q >= 0; q--) {
+            if (layer[q] == NOWHERE || !shown.test(q)) {
+                continue;
+            }
+            float[] field = values[layer[q]];
+            if (field == null) {
+                field = new float[region.frame().size()];
+                Arrays.fill(field, Float.NaN);
+                values[layer[q]] = field;
+            }
+            boolean hides = region.open(q) || Float.isNaN(field[region.cell(q)]);
+            if (hides) {
+                field[region.cell(q)] = (float) value.applyAsDouble(q);
+            }
+        }
+        List<Overlay> overlays = new ArrayList<>();
+        for (int k = 0; k < layers; k++) {
+            if (values[k] != null) {
+                overlays.add(new Overlay.Field(key, k, region.frame(), values[k], scale));
+            }
+        }
+        return overlays;
+    }
+}

@@ -1,0 +1,66 @@
+package troupe.work;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.stream.Stream;
+import troupe.run.Run;
+import troupe.run.RunComparison;
+import troupe.run.RunException;
+import troupe.run.RunFile;
+
+/** Runs saved runs again and compares, bit by bit: regression tests that a person can watch. */
+public final class GoldenRuns {
+    private GoldenRuns() {}
+
+    /** Returns the run files of a folder, sorted by name. */
+    public static List<Path> in(Path folder) throws IOException {
+        try (Stream<Path> files = Files.list(folder)) {
+            return files.filter(f -> f.getFileName().toString().endsWith(".run"))
+                    .sorted()
+                    .toList();
+        }
+    }
+
+    /** Runs the task of a saved run again, from what the run holds, to its end. */
+    public static Run again(Run saved) {
+        return Tasks.start(saved.scene(), saved.task()).finish();
+    }
+
+    /** Names the first difference between a saved run and another of the same task; nothing if they are equal. */
+    public static Optional<String> difference(Run saved, Run fresh) {
+        if (!saved.outcome().equals(fresh.outcome())) {
+            return Optional.of("outcome: expected " + saved.outcome() + ", found " + fresh.outcome());
+        }
+        return RunComparison.firstDifference(saved.frames(), fresh.frames());
+    }
+
+    /**
+     * Records every run of a folder again. A file is written only if its frames, outcome or report changed;
+     * {@code tell} gets a line for each run and for each value that changed.
+     *
+     * @return how many files changed
+     * @throws RunException if a file cannot be read; those before it are recorded
+     */
+    public static int record(Path folder, Consumer<String> tell) throws IOException, RunException {
+        int changed = 0;
+        for (Path file : in(folder)) {
+            Run saved = RunFile.read(file);
+            Run fresh = again(saved);
+            Optional<String> difference = difference(saved, fresh);
+            List<String> report = RunComparison.differences(saved.report(), fresh.report());
+            if (difference.isEmpty() && report.isEmpty()) {
+                tell.accept(file.getFileName() + ": unchanged");
+                continue;
+            }
+            changed++;
+            tell.accept(file.getFileName() + ": changed, " + difference.orElse("frames equal"));
+            report.forEach(line -> tell.accept("  " + line));
+            RunFile.write(fresh, file);
+        }
+        return changed;
+    }
+}

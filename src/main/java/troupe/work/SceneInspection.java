@@ -1,0 +1,164 @@
+package troupe.work;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.BitSet;
+import java.util.Comparator;
+import java.util.Deque;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import troupe.grid.Region;
+import troupe.scene.Ability;
+import troupe.scene.Actor;
+import troupe.scene.Journey;
+import troupe.scene.Obstacle;
+import troupe.scene.Place;
+import troupe.scene.Problem;
+import troupe.scene.Scene;
+import troupe.scene.SceneChecks;
+import troupe.scene.SceneSource;
+import troupe.scene.Severity;
+import troupe.scene.Task;
+
+/**
+ * Checks a scene as a whole: what {@link SceneChecks} finds, and, where that leaves no error, what needs the
+ * grid: a start or a goal that stands in an obstacle, or that no layer carries.
+ */
+public final class SceneInspection {
+    private final Scene scene;
+    private final Map<String, Integer> lines;
+    private final Map<Actor, Region> regions = new HashMap<>();
+    private final List<Problem> problems = new ArrayList<>();
+
+    private SceneInspection(Scene scene, Map<String, Integer> lines) {
+        this.scene = scene;
+        this.lines = lines;
+    }
+
+    /** Returns all problems, worst first. Cost: one region for each actor and set of abilities in use. */
+    public static List<Problem> check(SceneSource source) {
+        List<Problem> first = SceneChecks.check(source.scene(), source.lines());
+        if (first.stream().anyMatch(p -> p.severity() == Severity.ERROR)) {
+            return first;
+        }
+        SceneInspection inspection = new SceneInspection(source.scene(), source.lines());
+        for (Task task : source.scene().tasks()) {
+            if (task instanceof Journey journey) {
+                inspection.journey(journey);
+            }
+        }
+        List<Problem> all = new ArrayList<>(inspection.problems);
+        all.addAll(first);
+        all.sort(Comparator.comparing(Problem::severity));
+        return List.copyOf(all);
+    }
+
+    private void journey(Journey journey) {
+        if (!journey.preferences().allows(Ability.WALK)) {
+            return;
+        }
+        Region region = regions.computeIfAbsent(Fields.able(scene, journey), a -> Region.of(scene, a));
+        place(journey, "start", journey.start(), region);
+        place(journey, "goal", journey.goal(), region);
+    }
+
+    private void place(Journey journey, String which, Place place, Region region) {
+        int q = region.locate(place);
+        if (q < 0) {
+            report(journey, "no layer carries the " + which + " " + text(place), cure(which));
+            return;
+        }
+        double floor = region.elevation(q);
+        double step = region.actor().stepHeight();
+        if (place.z().isPresent() && Math.abs(place.z().getAsDouble() - floor) > step) {
+            report(
+                    journey,
+                    "no layer carries the " + which + " " + text(place) + "; floors there: " + floors(place, region),
+                    "give it the z of one of these floors");
+        } else if (!region.open(q)) {
+            Optional<Obstacle> around =
+                    holding(place, floor + step, floor + region.actor().bodyHeight());
+            report(
+                    journey,
+                    "the " + which + " " + text(place)
+                            + around.map(o -> " is inside obstacle '" + o.id() + "'")
+                                    .orElse(" leaves actor '" + journey.actor() + "' no room to stand"),
+                    cure(which));
+        } else if (place.z().isEmpty() && floor > step) {
+            holding(place, 0, step)
+                    .filter(o -> new Way(region, o).isShut(q))
+                    .ifPresent(o -> report(
+                            journey,
+                            "the " + which + " " + text(place) + " is inside obstacle '" + o.id()
+                                    + "', from whose top no way leads",
+                            cure(which)));
+        }
+    }
+
+    private Optional<Obstacle> holding(Place place, double low, double high) {
+        return scene.obstacles().stream()
+                .filter(o -> o.offset() < high && o.top() > low)
+                .filter(o -> o.outline().contains(place.x(), place.y()))
+                .findFirst();
+    }
+
+    private static String floors(Place place, Region region) {
+        Set<Double> floors = new TreeSet<>();
+        int cell = region.frame().cellAt(place.x(), place.y());
+        for (int q = cell; q < region.spanCount(); q += region.frame().size()) {
+            if (region.spans().exists(q)) {
+                floors.add(region.elevation(q));
+            }
+        }
+        return String.join(", ", floors.stream().map(SceneInspection::number).toList());
+    }
+
+    private static String cure(String which) {
+        return "move the " + which + " to where the actor can stand";
+    }
+
+    private void report(Journey journey, String message, String cure) {
+        problems.add(new Problem(Severity.ERROR, journey.id(), lines.getOrDefault(journey.id(), 0), message, cure));
+    }
+
+    private static String text(Place place) {
+        String xy = "(" + number(place.x()) + ", " + number(place.y());
+        return place.z().isPresent() ? xy + ", " + number(place.z().getAsDouble()) + ")" : xy + ")";
+    }
+
+    private static String number(double value) {
+        return value == Math.rint(value) && Math.abs(value) < 1e9
+                ? Long.toString((long) value)
+                : Double.toString(value);
+    }
+
+    /** Looks for a way that leaves the outline of an obstacle. */
+    private record Way(Region region, Obstacle obstacle) {
+
+        /** Tells whether every configuration that can be reached from {@code begin} lies over the obstacle. */
+        boolean isShut(int begin) {
+            BitSet seen = new BitSet(region.size());
+            Deque<Integer> open = new ArrayDeque<>(List.of(begin));
+            int[] targets = new int[Region.MAX_NEIGHBOURS];
+            int[] directions = new int[Region.MAX_NEIGHBOURS];
+            while (!open.isEmpty()) {
+                int q = open.remove();
+                if (!obstacle.outline().contains(region.x(q), region.y(q))) {
+                    return false;
+                }
+                int count = region.neighbours(q, targets, directions);
+                for (int i = 0; i < count; i++) {
+                    if (!seen.get(targets[i])) {
+                        seen.set(targets[i]);
+                        open.add(targets[i]);
+                    }
+                }
+            }
+            return true;
+        }
+    }
+}

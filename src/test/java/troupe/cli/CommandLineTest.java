@@ -1,0 +1,388 @@
+package troupe.cli;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import troupe.cli.Session.Result;
+
+/** Types commands from end to end. */
+class CommandLineTest {
+    private static final String SCENE = """
+            <?xml version="1.0" encoding="UTF-8"?>
+            <scene xmlns="urn:troupe:scene:1" title="Two rooms">
+              <world width="6" depth="4" cell="0.1"/>
+              <obstacle id="wall" height="2" points="2.8,0 3.2,0 3.2,3 2.8,3"/>
+              <actor id="anna"/>
+              <journey id="round" actor="anna" start="1,1" goal="5,1"/>
+              <journey id="short" actor="anna" start="1,1" goal="2,1"/>
+            </scene>
+            """;
+    private static final byte[] PNG = {(byte) 0x89, 'P', 'N', 'G'};
+
+    @TempDir
+    Path folder;
+
+    private Session session;
+    private String scene;
+
+    @BeforeEach
+    void writeScene() throws IOException {
+        session = new Session(folder);
+        scene = written("rooms.xml", SCENE);
+    }
+
+    @Test
+    void helpOfEveryCommandNamesItsOptions() {
+        Result all = session.run("--help");
+        assertEquals(0, all.code());
+        for (Command command : Troupe.all()) {
+            assertTrue(all.out().contains("  " + command.name() + " "), all.out());
+            Result one = session.run(command.name(), "--help");
+            assertEquals(0, one.code(), one.toString());
+            assertTrue(one.out().startsWith("usage: troupe " + command.name()), one.out());
+            for (Option option : command.options()) {
+                assertTrue(one.out().contains(option.name()), option.name() + " in " + one.out());
+            }
+        }
+    }
+
+    @Test
+    void badUseEndsWithCodeTwoAndOneReason() {
+        assertUse("unknown command 'frobnicate'", "frobnicate");
+        assertUse("unknown option --bar", "run", scene, "--bar");
+        assertUse("needs SCENE", "run");
+        assertUse("unknown task 'none'; the scene has round, short", "run", scene, "--task", "none");
+        assertUse("ordering", "run", scene, "--set", "frob=1");
+        assertUse("key=value", "run", scene, "--set", "frob");
+        assertUse("--seed", "run", scene, "--seed", "many");
+        assertUse("--show", "fields", scene, "--show", "colour", "-o", folder.toString());
+        assertUse("-o", "fields", scene);
+        assertUse("--vary", "batch", scene, "--vary", "seed");
+        assertUse("--seeds", "batch", scene, "--seeds", "9..1");
+        assertUse("--problems", "batch", scene, "--problems", "x", "--seeds", "1..2");
+        assertUse("there is no folder", "record", folder.resolve("none").toString());
+        assertUse("format 'wav'", "export", scene, "--format", "wav", "-o", "x");
+        assertUse("needs --format", "import", scene, "-o", "x.xml");
+        assertUse("--png is missing", "replay", scene, "--at", "1");
+    }
+
+    private void assertUse(String reason, String... typed) {
+        Result result = session.run(typed);
+        assertEquals(2, result.code(), List.of(typed) + ": " + result);
+        assertTrue(result.err().contains(reason), List.of(typed) + ": " + result);
+        assertEquals("", result.out());
+    }
+
+    @Test
+    void badInputEndsWithCodeThreeAndOneLine() throws IOException {
+        String broken = written("broken.xml", SCENE.replace("</scene>", ""));
+        String twisted = written("twisted.xml", SCENE.replace("3.2,3 2.8,3", "2.8,3 3.3,3"));
+        String noRun = written("no.run", "nothing");
+        assertInput("there is no file", "run", folder.resolve("none.xml").toString());
+        assertInput("there is no file", "open", folder.resolve("none.xml").toString());
+        assertInput("broken.xml", "run", broken);
+        assertInput("broken.xml", "check", broken);
+        assertInput("wall", "run", twisted);
+        assertInput("wall", "batch", twisted);
+        assertInput("no.run: not a ZIP", "replay", noRun);
+        assertInput(
+                "no.run: not a ZIP",
+                "export",
+                noRun,
+                "-o",
+                folder.resolve("x.csv").toString());
+        assertInput("no.run", "record", folder.toString());
+        assertInput("", "import", scene, "--format", "movingai", "-o", "-");
+        assertInput(
+                "there is no folder",
+                "run",
+                scene,
+                "-o",
+                folder.resolve("no/x.run").toString());
+    }
+
+    private void assertInput(String reason, String... typed) {
+        Result result = session.run(typed);
+        assertEquals(3, result.code(), List.of(typed) + ": " + result);
+        assertTrue(result.err().contains(reason), List.of(typed) + ": " + result);
+        assertEquals(
+                1,
+                result.err().lines().filter(l -> !l.contains("task 'round' of")).count(),
+                result.err());
+        assertFalse(result.err().contains("Exception"), result.err());
+    }
+
+    @Test
+    void checkTellsEveryProblem() throws IOException {
+        Result good = session.run("check", scene);
+        assertEquals(0, good.code(), good.toString());
+        assertTrue(good.out().endsWith("rooms.xml: 0 errors, 0 warnings\n"), good.out());
+        String bad = written("bad.xml", SCENE.replace("goal=\"5,1\"", "goal=\"3,1\""));
+        Result result = session.run("check", bad);
+        assertEquals(1, result.code(), result.toString());
+        assertTrue(
+                result.out().contains("bad.xml:6: error: round: the goal (3, 1) is inside obstacle 'wall'"),
+                result.out());
+        assertTrue(result.out().contains("1 error,"), result.out());
+    }
+
+    @Test
+    void runPrintsOneObjectWithTheStableKeysFirst() {
+        Result result = session.run("run", scene, "--task", "round", "--json");
+        assertEquals(0, result.code(), result.toString());
+        assertEquals(1, result.out().lines().count());
+        Matcher keys = Pattern.compile("\"([a-z_]+)\":").matcher(result.out());
+        List<String> found = new ArrayList<>();
+        while (keys.find()) {
+            found.add(keys.group(1));
+        }
+        found.removeAll(List.of("layers", "region", "nf2", "instances", "search"));
+        assertEquals(
+                List.of(
+                        "task",
+                        "solved",
+                        "energy",
+                        "cost",
+                        "length",
+                        "abilities",
+                        "moved",
+                        "expanded",
+                        "times_ms",
+                        "frames",
+                        "digest"),
+                found.subList(0, 11));
+        for (String stage : List.of("layers", "region", "nf2", "instances", "search")) {
+            assertTrue(result.out().contains("\"" + stage + "\":"), result.out());
+        }
+        assertTrue(result.out().contains("\"solved\":true"), result.out());
+        assertTrue(result.out().contains("\"abilities\":[\"walk\"]"), result.out());
+        assertEquals("", result.err());
+    }
+
+    @Test
+    void runReadsStandardInputAndWritesStandardOutput() throws IOException {
+        Result result = session.run(
+                SCENE.getBytes(StandardCharsets.UTF_8), false, "run", "-", "--task", "round", "-o", "-", "--quiet");
+        assertEquals(0, result.code(), result.toString());
+        Path file = folder.resolve("piped.run");
+        Files.write(file, result.bytes());
+        Result replay = session.run("replay", file.toString());
+        assertTrue(replay.out().startsWith("round: solved: walk; "), replay.toString());
+    }
+
+    @Test
+    void runSaysWhyThereIsNoSolution() throws IOException {
+        String closed = written("closed.xml", SCENE.replace("3.2,3 2.8,3", "3.2,4 2.8,4"));
+        Result result = session.run(
+                "run",
+                closed,
+                "--task",
+                "round",
+                "-o",
+                folder.resolve("none.run").toString());
+        assertEquals(1, result.code(), result.toString());
+        assertTrue(result.out().startsWith("round: no solution: "), result.out());
+        Result json = session.run("run", closed, "--task", "round", "--json");
+        assertTrue(json.out().contains("\"solved\":false"), json.out());
+        assertTrue(json.out().contains("\"outcome\":\"infeasible\",\"reason\":\""), json.out());
+        Result saved = session.run("replay", folder.resolve("none.run").toString());
+        assertTrue(saved.out().startsWith("round: no solution: "), saved.out());
+    }
+
+    @Test
+    void runTellsALimitFromNoSolution() {
+        Result result = session.run("run", scene, "--task", "round", "--set", "limit.expansions=3");
+        assertEquals(1, result.code(), result.toString());
+        assertTrue(result.out().contains("gave up at the limit"), result.out());
+    }
+
+    @Test
+    void interruptionEndsCleanlyAndKeepsWhatIsComplete() {
+        String big = scene;
+        Path file = folder.resolve("cut.run");
+        Result result = session.run(
+                new byte[0], true, "run", big, "--task", "round", "--set", "cell=0.005", "-o", file.toString());
+        assertEquals(1, result.code(), result.toString());
+        Result replay = session.run("replay", file.toString());
+        assertTrue(replay.out().startsWith("round: cancelled"), replay.toString());
+    }
+
+    @Test
+    void replayVerifiesEveryBit() throws IOException {
+        String file = recorded();
+        Result result = session.run("replay", file, "--verify");
+        assertEquals(0, result.code(), result.toString());
+        assertTrue(result.out().contains("frames equal bit by bit"), result.out());
+    }
+
+    @Test
+    void replayDrawsAnInstant() throws IOException {
+        Path png = folder.resolve("a.png");
+        assertEquals(
+                0,
+                session.run("replay", recorded(), "--at", "1", "--png", png.toString())
+                        .code());
+        assertPng(Files.readAllBytes(png));
+        assertPng(session.run("replay", recorded(), "--png", "-").bytes());
+    }
+
+    @Test
+    void fieldsDrawsAPictureForEachOverlayAndTellsTheTimes() throws IOException {
+        Path out = folder.resolve("fields");
+        Result result = session.run("fields", scene, "--task", "round", "--width", "200", "-o", out.toString());
+        assertEquals(0, result.code(), result.toString());
+        for (String key : List.of("layers", "region", "class", "clearance", "skeleton", "potential", "effort")) {
+            assertPng(Files.readAllBytes(out.resolve(key + "-1.png")));
+        }
+        for (String stage : List.of("layers", "region", "nf2")) {
+            assertTrue(
+                    Pattern.compile("(?m)^" + stage + " +[0-9.]+ ms$")
+                            .matcher(result.out())
+                            .find(),
+                    result.out());
+        }
+    }
+
+    @Test
+    void exportWritesEveryFormat() throws IOException {
+        String file = recorded();
+        Result csv = session.run("export", file, "--format", "csv", "-o", "-");
+        assertEquals(0, csv.code(), csv.toString());
+        assertTrue(
+                csv.out().startsWith("frame,time,id,x,y,z,heading,ability"),
+                csv.out().substring(0, 80));
+        Path svg = folder.resolve("a.svg");
+        assertEquals(0, session.run("export", file, "-o", svg.toString()).code());
+        assertTrue(Files.readString(svg).contains("<svg"));
+    }
+
+    @Test
+    void batchGivesTheSameRowsOnAnyNumberOfThreads() {
+        String[] typed = {
+            "batch",
+            scene,
+            "--task",
+            "round",
+            "--vary",
+            "ordering=optimal,bounded(1.5)",
+            "--vary",
+            "preference.sidestep=1,off",
+            "--seeds",
+            "1..3",
+            "--jobs",
+            "1"
+        };
+        Result one = session.run(typed);
+        assertEquals(0, one.code(), one.toString());
+        assertEquals(1 + 2 * 2 * 3, one.out().lines().count());
+        assertTrue(one.out().startsWith("task,ordering,preference.sidestep,seed,outcome,solved,energy,"), one.out());
+        assertTrue(one.out().contains("\nround,bounded(1.5),off,3,found,true,"), one.out());
+        typed[typed.length - 1] = "4";
+        assertEquals(withoutTimes(one.out()), withoutTimes(session.run(typed).out()));
+    }
+
+    private static String withoutTimes(String table) {
+        return table.replaceAll("(?m),[0-9.]+$", "");
+    }
+
+    @Test
+    void batchSolvesEveryProblemOfAScenario() throws IOException {
+        String map = written("tiny.map", "type octile\nheight 3\nwidth 4\nmap\n....\n.@@.\n....\n");
+        String problems = written(
+                "tiny.scen",
+                "version 1\n0\ttiny.map\t4\t3\t0\t0\t3\t2\t5.00000000\n0\ttiny.map\t4\t3\t0\t0\t3\t0\t3.00000000\n");
+        Result result = session.run("batch", map, "--problems", problems);
+        assertEquals(0, result.code(), result.toString());
+        assertTrue(
+                result.out()
+                        .matches("(?s)start,goal,length,optimal,expanded,micros\n"
+                                + "0 0,3 2,5\\.00000000,5\\.0,\\d+,[0-9.]+\n0 0,3 0,3\\.00000000,3\\.0,\\d+,[0-9.]+\n"),
+                result.out());
+        assertTrue(result.err().contains("2 problems, 2 of optimal length"), result.err());
+        String wrong = written("wrong.scen", "version 1\n0\ttiny.map\t4\t3\t0\t0\t3\t2\t4.50000000\n");
+        Result other = session.run("batch", map, "--problems", wrong);
+        assertEquals(1, other.code(), other.toString());
+        assertTrue(other.err().contains("first other length: 0 0,3 2,5.00000000,4.5"), other.err());
+    }
+
+    @Test
+    void importMakesASceneThatReadsBack() throws IOException {
+        String map = written("tiny.map", "type octile\nheight 3\nwidth 4\nmap\n....\n.@@.\n....\n");
+        Path out = folder.resolve("tiny.xml");
+        assertEquals(0, session.run("import", map, "-o", out.toString()).code());
+        Result check = session.run("check", out.toString());
+        assertEquals(0, check.code(), check.toString());
+    }
+
+    @Test
+    void recordTellsWhatChangedAndLeavesTheRestAlone() throws IOException {
+        Path golden = Files.createDirectory(folder.resolve("golden"));
+        Path file = golden.resolve("a.run");
+        Files.copy(Path.of(recorded()), file);
+        byte[] before = Files.readAllBytes(file);
+        Result same = session.run("record", golden.toString());
+        assertEquals("a.run: unchanged\n0 of 1 runs changed\n", same.out(), same.toString());
+        assertArrayEquals(before, Files.readAllBytes(file));
+    }
+
+    @Test
+    void withoutDisplayTheDefaultSceneIsPlannedAndDrawn() throws IOException {
+        Result result = session.run();
+        assertEquals(0, result.code(), result.toString());
+        assertTrue(result.err().contains("there is no display"), result.err());
+        assertTrue(result.out().contains(folder.resolve("courtyard.png").toString()), result.out());
+        assertPng(Files.readAllBytes(folder.resolve("courtyard.png")));
+        assertEquals(
+                0,
+                session.run("replay", folder.resolve("courtyard.run").toString())
+                        .code());
+    }
+
+    @Test
+    void nothingUnfinishedIsLeftBehind() throws IOException {
+        recorded();
+        session.run(
+                "run",
+                scene,
+                "--task",
+                "round",
+                "-o",
+                folder.resolve("no/x.run").toString());
+        try (Stream<Path> files = Files.list(folder)) {
+            assertEquals(
+                    List.of(), files.filter(f -> f.toString().endsWith(".part")).toList());
+        }
+    }
+
+    private String recorded() {
+        String file = folder.resolve("round.run").toString();
+        Result result = session.run("run", scene, "--task", "round", "-o", file, "--quiet");
+        assertEquals(0, result.code(), result.toString());
+        assertEquals("", result.out());
+        return file;
+    }
+
+    private static void assertPng(byte[] bytes) {
+        assertArrayEquals(PNG, java.util.Arrays.copyOf(bytes, PNG.length));
+    }
+
+    private String written(String name, String text) throws IOException {
+        Path file = folder.resolve(name);
+        Files.writeString(file, text);
+        return file.toString();
+    }
+}

@@ -1,0 +1,50 @@
+package troupe.cli;
+
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+
+/** Runs command lines in this process, with streams of its own. */
+final class Session {
+    private final Path folder;
+    private final CommandLine line = new CommandLine(Troupe.all(), new DefaultCommand(Optional::empty));
+
+    /** What a command line left. */
+    record Result(int code, byte[] bytes, String err) {
+        String out() {
+            return new String(bytes, StandardCharsets.UTF_8);
+        }
+
+        @Override
+        public String toString() {
+            return "exit code " + code + ", out '" + out() + "', err '" + err + "'";
+        }
+    }
+
+    /** Makes a session in whose folder commands leave their files. */
+    Session(Path folder) {
+        this.folder = folder;
+    }
+
+    Result run(String... typed) {
+        return run(new byte[0], false, typed);
+    }
+
+    Result run(byte[] in, boolean interrupted, String... typed) {
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        ByteArrayOutputStream err = new ByteArrayOutputStream();
+        Terminal terminal = new Terminal(
+                new ByteArrayInputStream(in),
+                new PrintStream(out, true, StandardCharsets.UTF_8),
+                new PrintStream(err, true, StandardCharsets.UTF_8),
+                false,
+                folder,
+                () -> interrupted);
+        int code = line.run(List.of(typed), terminal);
+        return new Result(code, out.toByteArray(), err.toString(StandardCharsets.UTF_8));
+    }
+}

@@ -1,0 +1,98 @@
+package troupe.work;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+import troupe.geometry.Polygon;
+import troupe.scene.Ability;
+import troupe.scene.Actor;
+import troupe.scene.Journey;
+import troupe.scene.Obstacle;
+import troupe.scene.Place;
+import troupe.scene.Problem;
+import troupe.scene.Scene;
+import troupe.scene.SceneSource;
+import troupe.scene.Severity;
+import troupe.scene.World;
+
+class SceneInspectionTest {
+    private static final Actor ANNA = Actor.standard("anna").without(Set.of(Ability.MOVE));
+
+    @Test
+    void findsNothingWrongWithAWayAcrossAnEmptyRoom() {
+        assertEquals(List.of(), problems(Place.of(5, 1)));
+    }
+
+    @Test
+    void namesTheObstacleThatAGoalIsIn() {
+        assertProblem(
+                "the goal (3, 1) is inside obstacle 'wall', from whose top no way leads",
+                problems(Place.of(3, 1), box("wall", 2.5, 0, 3.5, 2, 0, 2)));
+        assertProblem(
+                "the goal (3, 1, 0) is inside obstacle 'beam'",
+                problems(Place.of(3, 1, 0), box("beam", 2.5, 0, 3.5, 2, 1.4, 1.5)));
+    }
+
+    @Test
+    void letsAGoalStandOnAStep() {
+        assertEquals(
+                List.of(),
+                problems(Place.of(3, 1), box("low", 2, 0, 2.5, 3, 0, 0.2), box("high", 2.5, 0, 3.5, 3, 0, 0.4)));
+    }
+
+    @Test
+    void namesTheFloorsWhereNoLayerCarriesAGoal() {
+        assertProblem(
+                "no layer carries the goal (3, 1, 1.5); floors there: 0, 3",
+                problems(Place.of(3, 1, 1.5), box("deck", 2, 0, 4, 3, 2.5, 0.5)));
+        assertProblem(
+                "no layer carries the goal (3, 1)", problems(Place.of(3, 1), movable("crate", 2.5, 0, 3.5, 2, 0, 2)));
+    }
+
+    @Test
+    void saysWhereThereIsNoRoomBesideAWall() {
+        assertProblem(
+                "the goal (3, 1) leaves actor 'anna' no room to stand",
+                problems(Place.of(3, 1), box("wall", 3.1, 0, 3.5, 3, 0, 2)));
+    }
+
+    @Test
+    void leavesTheGridAloneWhereTheSceneIsWrongAlready() {
+        List<Problem> found = problems(Place.of(3, 1), box("flat", 2, 0, 2, 3, 0, 2));
+        assertTrue(found.stream().allMatch(p -> p.element().equals("flat")), found.toString());
+        assertTrue(found.size() >= 1, found.toString());
+    }
+
+    private static void assertProblem(String message, List<Problem> found) {
+        assertEquals(1, found.size(), found.toString());
+        assertEquals(Severity.ERROR, found.get(0).severity());
+        assertEquals("go", found.get(0).element());
+        assertEquals(7, found.get(0).line());
+        assertEquals(message, found.get(0).message());
+    }
+
+    private static List<Problem> problems(Place goal, Obstacle... obstacles) {
+        Scene scene = new Scene(
+                "",
+                new World(6, 4, 0.1),
+                List.of(obstacles),
+                List.of(),
+                List.of(ANNA),
+                List.of(Journey.of("go", "anna", Place.of(1, 1), goal)));
+        return SceneInspection.check(new SceneSource(scene, Map.of("go", 7)));
+    }
+
+    private static Obstacle box(String id, double x0, double y0, double x1, double y1, double offset, double height) {
+        return new Obstacle(
+                id, "", Polygon.rectangle(x0, y0, x1, y1), offset, height, false, Obstacle.DEFAULT_MASS, "");
+    }
+
+    private static Obstacle movable(
+            String id, double x0, double y0, double x1, double y1, double offset, double height) {
+        return new Obstacle(id, "", Polygon.rectangle(x0, y0, x1, y1), offset, height, true, Obstacle.DEFAULT_MASS, "");
+    }
+}
