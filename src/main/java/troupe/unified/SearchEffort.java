@@ -46,7 +46,8 @@ final class SearchEffort {
         int row = frame.row(region.cell(q));
         for (int away = 1; away < Math.max(frame.cols(), frame.rows()); away++) {
             for (int d = 0; d < 4; d++) {
-                int span = span(region, col + away * GridFrame.dx(d), row + away * GridFrame.dy(d), region.elevation(q));
+                int span =
+                        span(region, col + away * GridFrame.dx(d), row + away * GridFrame.dy(d), region.elevation(q));
                 if (span >= 0) {
                     return layers.layer(span);
                 }
