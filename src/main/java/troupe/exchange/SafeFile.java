@@ -1,17 +1,11 @@
 package troupe.exchange;
 
-import java.io.BufferedOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
-import java.nio.channels.Channels;
-import java.nio.channels.FileChannel;
-import java.nio.file.AtomicMoveNotSupportedException;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
-import java.nio.file.StandardOpenOption;
+import troupe.run.AtomicFile;
 
-/** Writes a file whole or not at all: beside the target first, forced to disk, then renamed. */
+/** Writes a file whole or not at all, and lets an {@link ExchangeException} through. */
 final class SafeFile {
     private SafeFile() {}
 
@@ -20,24 +14,28 @@ final class SafeFile {
         void write(OutputStream out) throws IOException, ExchangeException;
     }
 
+    /** Carries the refusal of a format through a writer that knows input and output errors alone. */
+    private static final class Refusal extends IOException {
+        private final ExchangeException reason;
+
+        private Refusal(ExchangeException reason) {
+            super(reason);
+            this.reason = reason;
+        }
+    }
+
     /** Writes or replaces {@code target}; if anything fails, what was there is still there. */
     static void write(Path target, Content content) throws IOException, ExchangeException {
-        Path folder = target.toAbsolutePath().getParent();
-        Path part = Files.createTempFile(folder, "." + target.getFileName(), ".part");
         try {
-            try (FileChannel channel = FileChannel.open(part, StandardOpenOption.WRITE)) {
-                OutputStream out = new BufferedOutputStream(Channels.newOutputStream(channel), 1 << 16);
-                content.write(out);
-                out.flush();
-                channel.force(true);
-            }
-            try {
-                Files.move(part, target, StandardCopyOption.ATOMIC_MOVE);
-            } catch (AtomicMoveNotSupportedException e) {
-                Files.move(part, target, StandardCopyOption.REPLACE_EXISTING);
-            }
-        } finally {
-            Files.deleteIfExists(part);
+            AtomicFile.write(target, out -> {
+                try {
+                    content.write(out);
+                } catch (ExchangeException e) {
+                    throw new Refusal(e);
+                }
+            });
+        } catch (Refusal refusal) {
+            throw refusal.reason;
         }
     }
 }
