@@ -21,8 +21,9 @@ record Standpoint(int configuration, String reason, List<String> blockedBy) {
     /** Looks up a place; {@code name} is {@code start} or {@code goal}. Cost O(obstacles). */
     static Standpoint at(Region region, Scene scene, Place place, String name) {
         int q = region.locate(place);
-        boolean carried =
-                q >= 0 && Math.abs(place.z().orElse(region.elevation(q)) - region.elevation(q)) <= region.actor().stepHeight();
+        boolean carried = q >= 0
+                && Math.abs(place.z().orElse(region.elevation(q)) - region.elevation(q))
+                        <= region.actor().stepHeight();
         if (carried && region.open(q)) {
             return new Standpoint(q, "", List.of());
         }
