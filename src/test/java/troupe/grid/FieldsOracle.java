@@ -265,7 +265,10 @@ final class FieldsOracle {
                 }
             }
             for (int d = 0; d < GridFrame.DIRECTIONS; d++) {
-                if ((present >> d & 1) == 0 && (d < 4 || (present & 1 << d - 4 | present & 1 << (d - 3 & 3)) != 0 && !goesRound(node[0], d))) {
+                if ((present >> d & 1) == 0
+                        && (d < 4
+                                || (present & 1 << d - 4 | present & 1 << (d - 3 & 3)) != 0
+                                        && !goesRound(node[0], d))) {
                     int[] end = {node[1] + GridFrame.dx(d), node[2] + GridFrame.dy(d)};
                     ends.add(end);
                     nearest = Math.min(nearest, length(end));

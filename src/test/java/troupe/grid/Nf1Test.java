@@ -17,10 +17,8 @@ class Nf1Test {
     void countsWavesRoundAWall() {
         MaskSteps steps = MaskSteps.of(
                 "....", //
-                ".##.",
-                "....");
-        assertArrayEquals(
-                new float[] {0, 1, 2, 3, 1, FAR, FAR, 4, 2, 3, 4, 5}, Nf1.compute(steps, 0, true));
+                ".##.", "....");
+        assertArrayEquals(new float[] {0, 1, 2, 3, 1, FAR, FAR, 4, 2, 3, 4, 5}, Nf1.compute(steps, 0, true));
     }
 
     @Test
@@ -41,7 +39,8 @@ class Nf1Test {
             float[] metres = Nf1.compute(region, goal);
             int[] steps = new FieldsOracle(region, "").breadthFirst(goal, null);
             for (int q = 0; q < metres.length; q++) {
-                float expected = steps[q] < 0 ? FAR : (float) (steps[q] * region.frame().cell());
+                float expected =
+                        steps[q] < 0 ? FAR : (float) (steps[q] * region.frame().cell());
                 assertEquals(expected, metres[q], "seed " + seed);
             }
         }

@@ -21,7 +21,9 @@ import troupe.scene.SceneXml;
 class Nf2ScenesTest {
     static List<Path> scenes() throws IOException {
         try (Stream<Path> files = Files.list(Path.of("scenes/unified"))) {
-            return files.filter(file -> file.toString().endsWith(".xml")).sorted().toList();
+            return files.filter(file -> file.toString().endsWith(".xml"))
+                    .sorted()
+                    .toList();
         }
     }
 
@@ -31,8 +33,7 @@ class Nf2ScenesTest {
         Scene scene = SceneXml.read(file).scene();
         List<Obstacle> fixed =
                 scene.obstacles().stream().filter(o -> !o.movable()).toList();
-        Scene cleared = new Scene(
-                scene.title(), scene.world(), fixed, scene.ditches(), scene.actors(), scene.tasks());
+        Scene cleared = new Scene(scene.title(), scene.world(), fixed, scene.ditches(), scene.actors(), scene.tasks());
         for (Scene each : fixed.size() == scene.obstacles().size() ? List.of(scene) : List.of(scene, cleared)) {
             each.tasks().stream()
                     .filter(Journey.class::isInstance)

@@ -23,12 +23,7 @@ class Nf2Test {
         int goal = steps.frame().index(11, 2);
         Nf2 fields = new Nf2(steps).compute(goal, Spread.BREADTH);
         assertEquals(
-                Arrays.asList(
-                        ".............",
-                        ".............",
-                        "..oooooooooo.",
-                        ".............",
-                        "............."),
+                Arrays.asList(".............", ".............", "..oooooooooo.", ".............", "............."),
                 rows(steps, fields));
         assertEquals(0, fields.potential(goal));
         assertEquals(9, fields.waves(steps.frame().index(2, 2)));
