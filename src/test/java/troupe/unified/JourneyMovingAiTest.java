@@ -34,8 +34,8 @@ class JourneyMovingAiTest {
         MovingAiMap map = MovingAiMap.read(file);
         List<MovingAiProblems.Problem> problems = MovingAiProblems.read(Path.of(file + ".scen"));
         Region region = Region.of(map.scene(), map.scene().actors().get(0));
-        JourneyCosts costs =
-                new JourneyCosts(region.actor(), Preferences.NEUTRAL, region.frame().cell());
+        JourneyCosts costs = new JourneyCosts(
+                region.actor(), Preferences.NEUTRAL, region.frame().cell());
         JourneyWorkspace work = new JourneyWorkspace(region);
         for (int i = SAMPLE; i >= 1; i--) {
             MovingAiProblems.Problem problem = problems.get(i * problems.size() / SAMPLE - 1);

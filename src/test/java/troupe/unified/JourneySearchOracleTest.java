@@ -62,8 +62,7 @@ class JourneySearchOracleTest {
         int start = left.get(random.nextInt(left.size()));
         int goal = right.get(random.nextInt(right.size()));
         boolean back = random.nextBoolean();
-        return new Problem(
-                seed, region, SmallWorlds.preferences(seed), back ? goal : start, back ? start : goal);
+        return new Problem(seed, region, SmallWorlds.preferences(seed), back ? goal : start, back ? start : goal);
     }
 
     @ParameterizedTest
@@ -158,11 +157,10 @@ class JourneySearchOracleTest {
             }
             Nf2 field = new Nf2(problem.region).compute(problem.goal, Journey.Spread.BREADTH);
             for (Ordering ordering : List.of(Ordering.OPTIMAL, new Ordering.Bounded(2), new Ordering.Paper(2, 1))) {
-                JourneySearch whole =
-                        problem.search(new JourneyWorkspace(problem.region), ordering, field::potential);
+                JourneySearch whole = problem.search(new JourneyWorkspace(problem.region), ordering, field::potential);
                 for (long budget : new long[] {1, 7}) {
-                    JourneyQuery query = new JourneyQuery(
-                            problem.start, problem.goal, ordering, field::potential, Long.MAX_VALUE);
+                    JourneyQuery query =
+                            new JourneyQuery(problem.start, problem.goal, ordering, field::potential, Long.MAX_VALUE);
                     JourneySearch sliced =
                             new JourneySearch(new JourneyWorkspace(problem.region), problem.costs(), query);
                     while (sliced.step(budget).isRunning()) {

@@ -135,8 +135,7 @@ final class SlowJourney {
                     || metres > limit + SLACK) {
                 return null;
             }
-            return new State(
-                    to, travelled.straight, travelled.diagonal, freely ? -1 : enters ? from : state.begin);
+            return new State(to, travelled.straight, travelled.diagonal, freely ? -1 : enters ? from : state.begin);
         }
         if (isCrossing(from)) {
             boolean lands = bearsTakeOff(to) && (freely || isStraight(state.begin, to, region.kind(from)));
@@ -175,8 +174,7 @@ final class SlowJourney {
             price = actor.walk().energy() * preferences.of(Ability.WALK);
         }
         if ((common & Ability.SIDESTEP.bit()) != 0) {
-            price = Math.min(
-                    price, actor.sidestep().orElseThrow().energy() * preferences.of(Ability.SIDESTEP));
+            price = Math.min(price, actor.sidestep().orElseThrow().energy() * preferences.of(Ability.SIDESTEP));
         }
         return price;
     }

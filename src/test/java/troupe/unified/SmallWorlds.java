@@ -45,12 +45,7 @@ final class SmallWorlds {
             made.loose(i);
         }
         return new Scene(
-                "",
-                new World(made.width, made.depth, 0.25),
-                made.obstacles,
-                made.ditches,
-                List.of(),
-                List.of());
+                "", new World(made.width, made.depth, 0.25), made.obstacles, made.ditches, List.of(), List.of());
     }
 
     /** Makes an actor with the given abilities and random limits and energies, tight enough to bind. */
@@ -79,7 +74,9 @@ final class SmallWorlds {
                 0.25,
                 0.25 + 0.6 * random.nextDouble(),
                 new Actor.Walk(0.2 + 0.1 * random.nextDouble(), 0.5 + random.nextDouble(), 1.3),
-                sidesteps ? Optional.of(new Actor.Sidestep(0.19, 0.4 + 4 * random.nextDouble(), 0.6)) : Optional.empty(),
+                sidesteps
+                        ? Optional.of(new Actor.Sidestep(0.19, 0.4 + 4 * random.nextDouble(), 0.6))
+                        : Optional.empty(),
                 strides ? Optional.of(stride) : Optional.empty(),
                 vaults ? Optional.of(vault) : Optional.empty(),
                 Optional.empty());
