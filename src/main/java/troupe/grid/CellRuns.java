@@ -54,6 +54,20 @@ final class CellRuns {
         runs[length++] = row * frame.cols() + to;
     }
 
+    /** Returns the runs collected, {@code from} and {@code to} in turn; a new array. */
+    int[] copy() {
+        return Arrays.copyOf(runs, length);
+    }
+
+    /** Adds runs that {@link #copy} returned for the same frame. */
+    void add(int[] copied) {
+        if (length + copied.length > runs.length) {
+            runs = Arrays.copyOf(runs, 2 * (length + copied.length));
+        }
+        System.arraycopy(copied, 0, runs, length, copied.length);
+        length += copied.length;
+    }
+
     /** Adds the cells whose centre lies in the world's rectangle. */
     void inside(World world) {
         int rows = firstRow(world.depth());

@@ -124,12 +124,20 @@ final class CrossingFinder {
         for (int other = 0; other < drops.length; other++) {
             any |= drops[other] > 0 && within(spans.elevation(other), floor);
         }
-        if (any) {
-            for (Box box : Window.apart(surfaces(floor, gait / 2 + cell))) {
-                Window window = Window.of(frame, box);
+        double margin = gait / 2 + cell;
+        for (Box box : any ? Window.apart(surfaces(floor, margin)) : List.<Box>of()) {
+            Window window = Window.of(frame, box.grown(-margin));
+            if (window.meets(takeOff(level))) {
                 gaps(level, gait, window, sheet, free);
             }
         }
+    }
+
+    /** Returns the window that holds the take-off places of a level. */
+    private Window takeOff(int level) {
+        int col = takeOff[4 * level];
+        int row = takeOff[4 * level + 1];
+        return new Window(col, row, takeOff[4 * level + 2] - col + 1, takeOff[4 * level + 3] - row + 1);
     }
 
     private boolean within(double height, double floor) {
@@ -139,7 +147,7 @@ final class CrossingFinder {
     /** Returns the boxes of the surfaces within a step of a floor, grown by a margin in metres. */
     private List<Box> surfaces(double floor, double margin) {
         if (within(0, floor)) {
-            return List.of(new Box(0, 0, scene.world().width(), scene.world().depth()));
+            return List.of(new Box(0, 0, scene.world().width(), scene.world().depth()).grown(margin));
         }
         List<Box> boxes = new ArrayList<>();
         for (Ditch ditch : scene.ditches()) {
@@ -155,28 +163,23 @@ final class CrossingFinder {
         return boxes;
     }
 
-    private void gaps(int level, double gait, Window window, int[] sheet, boolean[] free) {
+    private void gaps(int level, double gait, Window surface, int[] sheet, boolean[] free) {
+        Window open = unsupported(surface, sheet, free);
+        if (open.size() == 0) {
+            return;
+        }
+        Window window = open.grown((int) Math.ceil(gait / cell) + 1, frame).common(surface);
         byte[] supported = new byte[window.size()];
         byte[] gap = new byte[window.size()];
-        boolean any = false;
         for (int i = 0, row = 0; row < window.rows(); row++) {
             int at = (window.row0() + row) * frame.cols() + window.col0();
             for (int col = 0; col < window.cols(); col++, i++, at++) {
-                int column = columnAt[at];
-                int k = sheet[column];
-                if (k >= 0 && kinds[k * frame.size() + at] != Kind.FORBIDDEN) {
-                    supported[i] = 1;
-                } else {
-                    any |= free[column];
-                }
+                supported[i] = (byte) (supported(at, sheet) ? 1 : 0);
             }
-        }
-        if (!any) {
-            return;
         }
         double radius = gait / 2 / cell;
         new Morphology(window.cols(), window.rows(), radius).close(supported, radius, false, gap);
-        any = false;
+        boolean any = false;
         for (int i = 0; i < gap.length; i++) {
             boolean candidate = gap[i] != 0 && supported[i] == 0 && free[columnAt[cellOf(window, i)]];
             gap[i] = (byte) (candidate ? 1 : 0);
@@ -186,6 +189,31 @@ final class CrossingFinder {
             solids.clearNear(spans.elevation(level), window, gap);
             keep(level, Kind.GAP, gait, window, gap, sheet);
         }
+    }
+
+    private boolean supported(int at, int[] sheet) {
+        int k = sheet[columnAt[at]];
+        return k >= 0 && kinds[k * frame.size() + at] != Kind.FORBIDDEN;
+    }
+
+    /** Returns the window of the cells that have head room but no support. */
+    private Window unsupported(Window surface, int[] sheet, boolean[] free) {
+        int left = Integer.MAX_VALUE;
+        int low = Integer.MAX_VALUE;
+        int right = -1;
+        int high = -1;
+        for (int row = surface.row0(); row < surface.row0() + surface.rows(); row++) {
+            int at = row * frame.cols() + surface.col0();
+            for (int col = surface.col0(); col < surface.col0() + surface.cols(); col++, at++) {
+                if (free[columnAt[at]] && !supported(at, sheet)) {
+                    left = Math.min(left, col);
+                    right = Math.max(right, col);
+                    low = Math.min(low, row);
+                    high = row;
+                }
+            }
+        }
+        return right < 0 ? new Window(0, 0, 0, 0) : new Window(left, low, right - left + 1, high - low + 1);
     }
 
     private int cellOf(Window window, int i) {
@@ -199,28 +227,15 @@ final class CrossingFinder {
         if (boxes.isEmpty()) {
             return;
         }
-        Window reachable = new Window(
-                        takeOff[4 * level],
-                        takeOff[4 * level + 1],
-                        takeOff[4 * level + 2] - takeOff[4 * level] + 1,
-                        takeOff[4 * level + 3] - takeOff[4 * level + 1] + 1)
-                .grown((int) Math.ceil(vault.reach() / cell) + 1, frame);
+        Window reachable = takeOff(level).grown((int) Math.ceil(vault.reach() / cell) + 1, frame);
         int[] sheet = null;
         for (Box box : Window.apart(boxes)) {
-            Window window = common(Window.of(frame, box), reachable);
+            Window window = Window.of(frame, box).common(reachable);
             if (window.size() > 0) {
                 sheet = sheet == null ? sheetsNear(floor) : sheet;
                 vaults(level, vault, window, sheet);
             }
         }
-    }
-
-    private static Window common(Window a, Window b) {
-        int left = Math.max(a.col0(), b.col0());
-        int low = Math.max(a.row0(), b.row0());
-        int right = Math.min(a.col0() + a.cols(), b.col0() + b.cols());
-        int high = Math.min(a.row0() + a.rows(), b.row0() + b.rows());
-        return new Window(left, low, Math.max(0, right - left), Math.max(0, high - low));
     }
 
     private void vaults(int level, Actor.Vault vault, Window inner, int[] sheet) {

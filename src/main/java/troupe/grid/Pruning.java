@@ -19,6 +19,7 @@ final class Pruning {
     static final int BEGIN = 4;
 
     private static final int KEPT = 8;
+    private static final int LISTED = 16;
 
     private final int cols;
     private final int rows;
@@ -26,6 +27,7 @@ final class Pruning {
     private final Straight.Cells candidate;
     private final Straight.Cells keep;
     private int left;
+    private int[] sums = {};
 
     Pruning(int cols, int rows, byte[] state) {
         this.cols = cols;
@@ -43,19 +45,19 @@ final class Pruning {
 
     /** Returns a mask of the candidates that lie on a crossing of at most the given squared length in cells. */
     byte[] kept(double squared) {
-        for (byte s : state) {
-            left += s & CANDIDATE;
-        }
         int reach = (int) Math.floor(Math.sqrt(squared));
-        int[] ends = touching(END);
+        int[] ends = ends();
         for (int e : ends) {
             if ((state[e] & BEGIN) != 0) {
                 alongDirections(e, squared);
             }
         }
-        for (int e : ends) {
-            if (left > 0 && (state[e] & BEGIN) != 0) {
-                toEnds(e, ends, reach, squared);
+        if (left > 0) {
+            countLeft();
+            for (int e : ends) {
+                if (left > 0 && (state[e] & BEGIN) != 0 && anyLeft(e % cols, e / cols, reach)) {
+                    toEnds(e, ends, reach, squared);
+                }
             }
         }
         byte[] kept = new byte[state.length];
@@ -65,31 +67,59 @@ final class Pruning {
         return kept;
     }
 
-    /** Returns the ascending cells with a flag that have a candidate among their eight neighbours. */
-    private int[] touching(int flag) {
+    /** Counts the candidates and returns the ascending cells of ends that have one among their eight neighbours. */
+    private int[] ends() {
         int[] list = new int[64];
         int count = 0;
-        for (int row = 0; row < rows; row++) {
-            for (int col = 0; col < cols; col++) {
-                int i = row * cols + col;
-                if ((state[i] & flag) != 0 && touches(col, row)) {
+        for (int i = 0; i < state.length; i++) {
+            if ((state[i] & CANDIDATE) == 0) {
+                continue;
+            }
+            left++;
+            int col = i % cols;
+            int row = i / cols;
+            for (int d = 0; d < GridFrame.DIRECTIONS; d++) {
+                int x = col + GridFrame.dx(d);
+                int y = row + GridFrame.dy(d);
+                if (is(x, y, END) && !is(x, y, LISTED)) {
                     if (count == list.length) {
                         list = Arrays.copyOf(list, 2 * count);
                     }
-                    list[count++] = i;
+                    state[y * cols + x] |= LISTED;
+                    list[count++] = y * cols + x;
                 }
             }
         }
-        return Arrays.copyOf(list, count);
+        int[] ends = Arrays.copyOf(list, count);
+        Arrays.sort(ends);
+        return ends;
     }
 
-    private boolean touches(int col, int row) {
-        for (int d = 0; d < GridFrame.DIRECTIONS; d++) {
-            if (is(col + GridFrame.dx(d), row + GridFrame.dy(d), CANDIDATE)) {
-                return true;
+    /** Sums, for each corner of the cells, the candidates below and left of it that are not kept yet. */
+    private void countLeft() {
+        sums = new int[(cols + 1) * (rows + 1)];
+        for (int row = 0; row < rows; row++) {
+            int inRow = 0;
+            for (int col = 0; col < cols; col++) {
+                inRow += (state[row * cols + col] & (CANDIDATE | KEPT)) == CANDIDATE ? 1 : 0;
+                sums[(row + 1) * (cols + 1) + col + 1] = sums[row * (cols + 1) + col + 1] + inRow;
             }
         }
-        return false;
+    }
+
+    /** Tells whether a candidate was left, when last counted, within {@code reach} columns and rows of a cell. */
+    private boolean anyLeft(int col, int row, int reach) {
+        return anyLeft(col - reach, row - reach, col + reach, row + reach);
+    }
+
+    private boolean anyLeft(int col0, int row0, int col1, int row1) {
+        int left = Math.max(0, col0);
+        int low = Math.max(0, row0);
+        int right = Math.min(cols, col1 + 1);
+        int high = Math.min(rows, row1 + 1);
+        int wide = cols + 1;
+        return sums[high * wide + right] - sums[high * wide + left] - sums[low * wide + right] + sums[low * wide + left]
+                > 0;
     }
 
     private boolean is(int col, int row, int flag) {
@@ -137,6 +167,7 @@ final class Pruning {
             int dy = ends[n] / cols - row;
             if ((double) dx * dx + (double) dy * dy <= squared
                     && (dx | dy) != 0
+                    && anyLeft(Math.min(col, col + dx), Math.min(row, row + dy), Math.max(col, col + dx), Math.max(row, row + dy))
                     && Straight.passes(begin, dx, dy, cols, candidate)) {
                 Straight.passes(begin, dx, dy, cols, keep);
             }

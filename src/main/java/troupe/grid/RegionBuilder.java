@@ -61,6 +61,7 @@ public final class RegionBuilder {
             Crossings crossings = actor.stride().isPresent() || actor.vault().isPresent()
                     ? new CrossingFinder(scene, actor, columns, spans, standing).find()
                     : Crossings.NONE;
+            standing.forbid();
             region = new Region(
                     actor, spans, standing, crossings, new Clearance(scene, actor, columns, spans, standing.rims()));
         }

@@ -25,6 +25,10 @@ final class Solids {
     private final CellRuns runs;
     private final double radius;
     private final boolean touching;
+    private final Window[] boxes;
+    private final int[][] outlines;
+    private final List<Integer> walls;
+    private int[] edge;
 
     Solids(Scene scene, Actor actor, Columns columns, Rims rims, GridFrame frame) {
         this.scene = scene;
@@ -35,23 +39,35 @@ final class Solids {
         this.runs = new CellRuns(frame);
         this.radius = actor.walk().radius();
         this.touching = radius < Standing.TOUCHING * frame.cell();
+        int count = scene.obstacles().size();
+        this.boxes = new Window[count];
+        this.outlines = new int[count][];
+        for (int i = 0; i < count; i++) {
+            boxes[i] = Window.of(frame, scene.obstacles().get(i).outline().bounds().grown(radius));
+        }
+        this.walls = new ArrayList<>();
+        for (int i = 0; i < rims.size(); i++) {
+            if (leftGround(i) != rightGround(i)) {
+                walls.add(i);
+            }
+        }
     }
 
     /** Clears the cells of a mask that a solid in the way of a body on {@code floor} comes near. */
     void clearNear(double floor, Window window, byte[] mask) {
         Window.Stretch clear = (from, to) -> java.util.Arrays.fill(mask, from, to, (byte) 0);
-        worldEdge();
+        worldEdge(window);
         window.each(runs, frame, clear);
-        for (Obstacle obstacle : scene.obstacles()) {
-            if (RegionBuilder.blocks(obstacle, floor, actor.stepHeight(), actor.bodyHeight())
-                    && near(obstacle, window)) {
-                outline(obstacle.outline());
+        for (int i = 0; i < boxes.length; i++) {
+            if (boxes[i].meets(window)
+                    && RegionBuilder.blocks(
+                            scene.obstacles().get(i), floor, actor.stepHeight(), actor.bodyHeight())) {
+                outline(i);
                 window.each(runs, frame, clear);
             }
         }
-        for (int i = 0; i < rims.size(); i++) {
-            if (Math.max(leftGround(i), rightGround(i)) > floor + actor.stepHeight() + Column.SAME
-                    && leftGround(i) != rightGround(i)) {
+        for (int i : walls) {
+            if (Math.max(leftGround(i), rightGround(i)) > floor + actor.stepHeight() + Column.SAME) {
                 piece(i);
                 window.each(runs, frame, clear);
             }
@@ -66,31 +82,42 @@ final class Solids {
         return columns.column(rims.right(i)).ground();
     }
 
-    private boolean near(Obstacle obstacle, Window window) {
-        Window own = Window.of(frame, obstacle.outline().bounds().grown(radius));
-        return own.col0() < window.col0() + window.cols()
-                && window.col0() < own.col0() + own.cols()
-                && own.row0() < window.row0() + window.rows()
-                && window.row0() < own.row0() + own.rows();
-    }
-
-    private void worldEdge() {
+    /** Puts the cells near the world's edge into the runs, none if the window lies away from it. */
+    private void worldEdge(Window window) {
         runs.clear();
-        runs.nearEdge(scene.world(), radius);
-        if (touching) {
-            runs.touch(
-                    Polygon.rectangle(0, 0, scene.world().width(), scene.world().depth()));
+        int margin = (int) (radius / frame.cell()) + 3;
+        boolean near = window.col0() <= margin
+                || window.row0() <= margin
+                || window.col0() + window.cols() >= frame.cols() - margin
+                || window.row0() + window.rows() >= frame.rows() - margin;
+        if (near && edge == null) {
+            runs.nearEdge(scene.world(), radius);
+            if (touching) {
+                runs.touch(Polygon.rectangle(
+                        0, 0, scene.world().width(), scene.world().depth()));
+            }
+            edge = runs.copy();
+        } else if (near) {
+            runs.add(edge);
         }
     }
 
-    private void outline(Polygon outline) {
+    /** Puts the cells near an obstacle's outline into the runs. */
+    private void outline(int obstacle) {
         runs.clear();
-        runs.near(outline, radius);
-        if (touching) {
-            runs.touch(outline);
+        if (outlines[obstacle] == null) {
+            Polygon outline = scene.obstacles().get(obstacle).outline();
+            runs.near(outline, radius);
+            if (touching) {
+                runs.touch(outline);
+            }
+            outlines[obstacle] = runs.copy();
+        } else {
+            runs.add(outlines[obstacle]);
         }
     }
 
+    /** Puts the cells near a piece into the runs. */
     private void piece(int i) {
         runs.clear();
         rims.near(i, radius, runs);
@@ -131,23 +158,25 @@ final class Solids {
     boolean vaultable(double floor, Actor.Vault vault, Window window, byte[] mask) {
         double[] highest = new double[window.size()];
         ground(floor, vault, window, mask, highest);
-        List<Obstacle> above = new ArrayList<>();
-        for (Obstacle obstacle : scene.obstacles()) {
-            if (!near(obstacle, window)) {
+        List<Integer> above = new ArrayList<>();
+        for (int n = 0; n < boxes.length; n++) {
+            Obstacle obstacle = scene.obstacles().get(n);
+            if (!boxes[n].meets(window)) {
                 continue;
             }
             if (RegionBuilder.blocks(obstacle, floor, actor.stepHeight(), actor.bodyHeight())) {
-                outline(obstacle.outline());
+                outline(n);
                 runs.fill(obstacle.outline());
                 hit(obstacle.top(), inRange(obstacle.top(), floor, vault), window, mask, highest);
             } else if (obstacle.offset() >= floor + actor.bodyHeight() - Column.SAME
                     && obstacle.offset() < floor + vault.maxHeight() + vault.bodyHeight()
                     && !inRange(obstacle.top(), floor, vault)) {
-                above.add(obstacle);
+                above.add(n);
             }
         }
-        for (Obstacle obstacle : above) {
-            outline(obstacle.outline());
+        for (int n : above) {
+            Obstacle obstacle = scene.obstacles().get(n);
+            outline(n);
             runs.fill(obstacle.outline());
             window.each(runs, frame, (from, to) -> {
                 for (int i = from; i < to; i++) {
@@ -168,7 +197,7 @@ final class Solids {
     /** Marks where ground, or the world's edge, stands in the way. */
     private void ground(double floor, Actor.Vault vault, Window window, byte[] mask, double[] highest) {
         double limit = floor + actor.stepHeight() + Column.SAME;
-        worldEdge();
+        worldEdge(window);
         hit(Double.POSITIVE_INFINITY, false, window, mask, highest);
         int[] at = columns.at();
         for (int row = 0; row < window.rows(); row++) {
@@ -183,10 +212,7 @@ final class Solids {
                 }
             }
         }
-        for (int i = 0; i < rims.size(); i++) {
-            if (leftGround(i) == rightGround(i)) {
-                continue;
-            }
+        for (int i : walls) {
             for (double ground : new double[] {leftGround(i), rightGround(i)}) {
                 if (ground > limit) {
                     piece(i);

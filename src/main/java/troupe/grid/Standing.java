@@ -229,8 +229,20 @@ final class Standing {
         return kinds;
     }
 
+    /** Makes the spans on which no ability has room forbidden. */
+    void forbid() {
+        for (int q = 0; q < kinds.length; q++) {
+            if (abilities[q] == 0 && kinds[q] != Kind.ABSENT) {
+                kinds[q] = Kind.FORBIDDEN;
+            }
+        }
+    }
+
     /** Returns the ability bits of each span and then of each crossing. */
     byte[] abilities(Crossings crossings) {
+        if (crossings.size() == 0) {
+            return abilities;
+        }
         byte[] all = Arrays.copyOf(abilities, abilities.length + crossings.size());
         for (int i = 0; i < crossings.size(); i++) {
             Ability ability = crossings.kind(i) == Kind.GAP ? Ability.STRIDE : Ability.VAULT;
@@ -239,14 +251,12 @@ final class Standing {
         return all;
     }
 
-    /** Returns the kind of each span, forbidden where no ability has room, and then of each crossing. */
+    /** Returns the kind of each span and then of each crossing. */
     byte[] kinds(Crossings crossings) {
-        byte[] all = Arrays.copyOf(kinds, kinds.length + crossings.size());
-        for (int q = 0; q < kinds.length; q++) {
-            if (abilities[q] == 0 && kinds[q] != Kind.ABSENT) {
-                all[q] = Kind.FORBIDDEN;
-            }
+        if (crossings.size() == 0) {
+            return kinds;
         }
+        byte[] all = Arrays.copyOf(kinds, kinds.length + crossings.size());
         for (int i = 0; i < crossings.size(); i++) {
             all[kinds.length + i] = crossings.kind(i);
         }

@@ -29,6 +29,23 @@ record Window(int col0, int row0, int cols, int rows) {
         return new Window(left, low, right - left, high - low);
     }
 
+    /** Tells whether the two share a cell. */
+    boolean meets(Window other) {
+        return col0 < other.col0 + other.cols
+                && other.col0 < col0 + cols
+                && row0 < other.row0 + other.rows
+                && other.row0 < row0 + rows;
+    }
+
+    /** Returns the cells that both hold, maybe none. */
+    Window common(Window other) {
+        int left = Math.max(col0, other.col0);
+        int low = Math.max(row0, other.row0);
+        int right = Math.min(col0 + cols, other.col0 + other.cols);
+        int high = Math.min(row0 + rows, other.row0 + other.rows);
+        return new Window(left, low, Math.max(0, right - left), Math.max(0, high - low));
+    }
+
     boolean holds(int col, int row) {
         return col >= col0 && col < col0 + cols && row >= row0 && row < row0 + rows;
     }
