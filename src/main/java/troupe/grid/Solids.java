@@ -43,7 +43,8 @@ final class Solids {
         this.boxes = new Window[count];
         this.outlines = new int[count][];
         for (int i = 0; i < count; i++) {
-            boxes[i] = Window.of(frame, scene.obstacles().get(i).outline().bounds().grown(radius));
+            boxes[i] =
+                    Window.of(frame, scene.obstacles().get(i).outline().bounds().grown(radius));
         }
         this.walls = new ArrayList<>();
         for (int i = 0; i < rims.size(); i++) {
@@ -60,8 +61,7 @@ final class Solids {
         window.each(runs, frame, clear);
         for (int i = 0; i < boxes.length; i++) {
             if (boxes[i].meets(window)
-                    && RegionBuilder.blocks(
-                            scene.obstacles().get(i), floor, actor.stepHeight(), actor.bodyHeight())) {
+                    && RegionBuilder.blocks(scene.obstacles().get(i), floor, actor.stepHeight(), actor.bodyHeight())) {
                 outline(i);
                 window.each(runs, frame, clear);
             }
