@@ -16,7 +16,4 @@ module troupe {
     exports troupe.work;
 
     uses troupe.work.Window;
-
-    provides troupe.work.Window with
-            troupe.app.StudioFront;
 }

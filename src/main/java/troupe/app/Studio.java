@@ -5,20 +5,28 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
 import troupe.app.document.SceneDocument;
 import troupe.app.plan.PlanningSteps;
 import troupe.app.session.SceneFiles;
 import troupe.app.session.Session;
 import troupe.run.Engine;
-import troupe.scene.Journey;
+import troupe.run.GridOverlays;
+import troupe.run.Overlay;
 import troupe.scene.Problem;
 import troupe.scene.Scene;
 import troupe.scene.SceneChecks;
 import troupe.scene.SceneException;
+import troupe.scene.SceneSource;
 import troupe.scene.SceneXml;
-import troupe.unified.JourneyEngine;
+import troupe.work.Fields;
+import troupe.work.SceneInspection;
+import troupe.work.Tasks;
 
 /** Opens the studio. */
 public final class Studio {
@@ -81,15 +89,22 @@ public final class Studio {
 
         @Override
         public List<Problem> inspect(Scene scene) {
-            return SceneChecks.check(scene);
+            return SceneInspection.check(new SceneSource(scene, Map.of()));
         }
 
         @Override
         public Engine start(Scene scene, String task) {
-            if (scene.task(task).orElse(null) instanceof Journey journey) {
-                return JourneyEngine.of(scene, journey);
-            }
-            throw new IllegalArgumentException("no journey '" + task + "' in the scene");
+            return Tasks.start(scene, task);
+        }
+
+        @Override
+        public List<Overlay> overlays(Scene scene, String task, Engine engine) {
+            List<Overlay> all = new ArrayList<>(engine.overlays());
+            Set<String> known = all.stream().map(Overlay::key).collect(Collectors.toSet());
+            List<String> missing =
+                    GridOverlays.KEYS.stream().filter(k -> !known.contains(k)).toList();
+            Fields.of(scene, task, missing).overlays().forEach(all::addAll);
+            return all;
         }
     };
 }

@@ -7,7 +7,6 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.ServiceLoader;
-import troupe.scene.SceneException;
 import troupe.work.Window;
 
 /** Opens the studio. */
@@ -25,7 +24,7 @@ final class OpenCommand implements Command {
 
     @Override
     public String summary() {
-        return "open the studio, with a scene if one is named";
+        return "open the studio, with a scene or a run";
     }
 
     @Override
@@ -34,7 +33,7 @@ final class OpenCommand implements Command {
     }
 
     @Override
-    public int run(Arguments arguments, Terminal terminal) throws UsageException, SceneException, IOException {
+    public int run(Arguments arguments, Terminal terminal) throws UsageException, IOException {
         Optional<Path> file =
                 arguments.count() == 0 ? Optional.empty() : Optional.of(Arguments.path(arguments.only("FILE")));
         if (file.isPresent() && !Files.exists(file.get())) {

@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.Path;
 import troupe.run.Run;
-import troupe.scene.AtomicFile;
 
 /** Writes a run in a format of one file, so that it can go to a stream too. */
 public interface StreamExporter extends Exporter {
@@ -18,6 +17,6 @@ public interface StreamExporter extends Exporter {
 
     @Override
     default void write(Run run, ExportSettings settings, Path target) throws IOException, ExchangeException {
-        AtomicFile.write(target, out -> write(run, settings, out));
+        SafeFile.write(target, out -> write(run, settings, out));
     }
 }

@@ -5,6 +5,7 @@ import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.geom.RoundRectangle2D;
 import java.util.List;
+import java.util.function.Function;
 import troupe.scene.Ability;
 
 /** Writes the words of abilities into pills beside a path, clear of the path and of other text. */
@@ -18,14 +19,16 @@ final class Pills {
     private final Theme theme;
     private final Labels labels;
     private final List<double[]> path;
+    private final Function<Ability, String> words;
     private final Font font = Theme.font(12);
 
-    /** Makes pills that keep off {@code path}, points in pixels. */
-    Pills(Graphics2D g, Theme theme, Labels labels, List<double[]> path) {
+    /** Makes pills that keep off {@code path}, points in pixels, and say {@code words}. */
+    Pills(Graphics2D g, Theme theme, Labels labels, List<double[]> path, Function<Ability, String> words) {
         this.g = g;
         this.theme = theme;
         this.labels = labels;
         this.path = path;
+        this.words = words;
     }
 
     /** Paints the pill of a stretch at its middle, or nothing if there is no room near it. */
@@ -34,7 +37,7 @@ final class Pills {
             return;
         }
         double[] at = stretch.get(stretch.size() / 2);
-        Rectangle2D text = Labels.around(g, font, ability.key(), 0, 0);
+        Rectangle2D text = Labels.around(g, font, words.apply(ability), 0, 0);
         double width = text.getWidth() + 2 * PADDING;
         Rectangle2D best = null;
         int fewest = Integer.MAX_VALUE;
@@ -73,8 +76,8 @@ final class Pills {
         g.setColor(theme.color(ability));
         g.setStroke(Theme.line(1.2f));
         g.draw(pill);
-        Rectangle2D text = Labels.around(g, font, ability.key(), place.getCenterX(), place.getCenterY());
-        labels.draw(g, font, ability.key(), text, theme.color(Tone.TEXT));
+        Rectangle2D text = Labels.around(g, font, words.apply(ability), place.getCenterX(), place.getCenterY());
+        labels.draw(g, font, words.apply(ability), text, theme.color(Tone.TEXT));
         labels.take(place);
     }
 }

@@ -11,6 +11,7 @@ import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 import troupe.run.Run;
 import troupe.scene.Ability;
 import troupe.scene.Actor;
@@ -117,8 +118,13 @@ public final class RunPainter {
 
     /** Paints a pill with the word of each stretch that is not walked, where there is room beside it. */
     public void paintPills(Graphics2D graphics, Viewport view, Labels labels) {
+        paintPills(graphics, view, labels, Ability::key);
+    }
+
+    /** Paints the pills with {@code words} for the abilities, such as those of another language. */
+    public void paintPills(Graphics2D graphics, Viewport view, Labels labels, Function<Ability, String> words) {
         Graphics2D g = Shapes.smooth(graphics);
-        Pills pills = new Pills(g, theme, labels, pixels(legs, view));
+        Pills pills = new Pills(g, theme, labels, pixels(legs, view), words);
         int i = 0;
         while (i < legs.size()) {
             int end = i + 1;

@@ -29,7 +29,7 @@ public final class TaskPainter {
     }
 
     /** Takes the room of ring and flag, so that text keeps away from them. */
-    static void take(Labels labels, Journey journey, Viewport view) {
+    public static void take(Labels labels, Journey journey, Viewport view) {
         double x = view.px(journey.start().x());
         double y = view.py(journey.start().y());
         labels.take(new Rectangle2D.Double(x - RING, y - RING, 2 * RING, 2 * RING));

@@ -116,16 +116,9 @@ final class CostToGo implements Expander {
         wantedFrontier = bound + fromStart(configuration);
     }
 
-    private boolean isWanting() {
-        return stamps[wanted] != isSettled && frontier < wantedFrontier;
-    }
-
-    /**
-     * Tells whether what was asked for is there, or will never be. The search has then looked at the next
-     * open place, too, so that what it knows does not depend on how the work was sliced.
-     */
-    boolean hasAnswered() {
-        return search.isWaiting() || !search.outcome().isRunning();
+    /** Tells whether what was asked for last is not there yet. */
+    boolean isWanting() {
+        return !isSettled(wanted) && frontier < wantedFrontier;
     }
 
     /** Works towards what was asked for, with at most {@code budget} expansions; returns those made. */

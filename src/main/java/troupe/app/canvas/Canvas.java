@@ -7,6 +7,7 @@ import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
+import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -18,12 +19,14 @@ import troupe.app.document.Listeners;
 import troupe.app.document.SceneDocument;
 import troupe.app.look.Drawn;
 import troupe.app.look.Look;
+import troupe.app.plan.Views;
 import troupe.app.session.OverlayChoice;
 import troupe.app.session.Session;
 import troupe.geometry.Box;
 import troupe.geometry.Point;
 import troupe.paint.Labels;
 import troupe.paint.Legend;
+import troupe.paint.RunPainter;
 import troupe.paint.ScaleBar;
 import troupe.paint.ScenePainter;
 import troupe.paint.TaskPainter;
@@ -31,6 +34,7 @@ import troupe.paint.Tone;
 import troupe.paint.Viewport;
 import troupe.scene.Journey;
 import troupe.scene.Scene;
+import troupe.scene.World;
 
 /**
  * Shows the scene from above, what the planner found, and what the tool does. Zooms at the pointer with
@@ -64,8 +68,8 @@ public final class Canvas extends Drawn implements AutoCloseable {
         this.painters = new Painters(look, eventThread, this::take);
         this.stack = new LayerStack(List.of(
                 layer(this::groundStamp, g -> scenePainter().paintGround(g, view)),
+                layer(this::sceneStamp, g -> scenePainter().paintObstacles(g, view)),
                 layer(() -> prepared == null ? "" : prepared.overlays(), this::paintOverlays),
-                layer(this::sceneStamp, this::paintScene),
                 layer(this::pathStamp, this::paintPath),
                 layer(this::selectionStamp, this::paintSelection),
                 layer(this::actorStamp, this::paintActors)));
@@ -97,7 +101,10 @@ public final class Canvas extends Drawn implements AutoCloseable {
         leave.add(session.selection().listeners().add(s -> repaint()));
         leave.add(session.playback().listeners().add(p -> repaint()));
         leave.add(session.plans().add(plan -> painters.request(plan, session.overlays())));
-        leave.add(session.overlays().listeners().add(choice -> prepare()));
+        leave.add(session.overlays().listeners().add(choice -> {
+            showLayer(choice.layer());
+            prepare();
+        }));
         prepare();
     }
 
@@ -183,9 +190,13 @@ public final class Canvas extends Drawn implements AutoCloseable {
         repaint();
     }
 
-    /** Leaves only a trace of what begins above {@code metres}; infinity shows everything. */
-    public void showUpTo(double metres) {
-        elevation = metres;
+    /** Leaves only a trace of what begins above the floors of the layer looked at. */
+    private void showLayer(int layer) {
+        List<Views.Layer> layers = session.plan().map(p -> p.views().layers()).orElse(List.of());
+        boolean known = layer >= 0
+                && layer < layers.size()
+                && !Double.isNaN(layers.get(layer).highest());
+        elevation = known ? layers.get(layer).highest() : Double.POSITIVE_INFINITY;
         painted = null;
         repaint();
     }
@@ -214,7 +225,8 @@ public final class Canvas extends Drawn implements AutoCloseable {
                 prepared == null ? "" : prepared,
                 session.document().shownTask().isPresent()
                         ? session.document().shownTask().get()
-                        : "");
+                        : "",
+                session.selection().ids());
     }
 
     private Object selectionStamp() {
@@ -230,29 +242,33 @@ public final class Canvas extends Drawn implements AutoCloseable {
     }
 
     private void paintOverlays(Graphics2D g) {
-        if (prepared != null) {
-            prepared.overlays().forEach(painter -> painter.paint(g, view));
+        if (prepared == null || prepared.overlays().isEmpty()) {
+            return;
         }
-    }
-
-    private void paintScene(Graphics2D g) {
-        ScenePainter painter =
-                scenePainter().numbering(Set.copyOf(session.selection().ids()));
-        painter.paintObstacles(g, view);
-        painter.paintLabels(g, view, new Labels());
+        World world = session.document().shown().world();
+        Graphics2D inside = (Graphics2D) g.create();
+        inside.clip(new Rectangle2D.Double(
+                view.px(0), view.py(world.depth()), world.width() * view.scale(), world.depth() * view.scale()));
+        prepared.overlays().forEach(painter -> painter.paint(inside, view));
+        inside.dispose();
+        if (prepared.field()) {
+            scenePainter().paintOutlines(g, view);
+        }
     }
 
     private void paintPath(Graphics2D g) {
-        if (prepared != null) {
-            prepared.run().ifPresent(run -> run.paintLegs(g, view));
-        }
-        Scene scene = session.document().shown();
+        Optional<RunPainter> run = prepared == null ? Optional.empty() : prepared.run();
+        Labels labels = new Labels();
+        run.ifPresent(painter -> {
+            painter.paintLegs(g, view);
+            painter.takeRoom(labels, view, Double.NaN);
+        });
         if (session.document().shownTask().orElse(null) instanceof Journey journey) {
-            TaskPainter.paint(g, scene, journey, view, look.theme());
+            TaskPainter.paint(g, session.document().shown(), journey, view, look.theme());
+            TaskPainter.take(labels, journey, view);
         }
-        if (prepared != null) {
-            prepared.run().ifPresent(run -> run.paintPills(g, view, new Labels()));
-        }
+        scenePainter().numbering(Set.copyOf(session.selection().ids())).paintLabels(g, view, labels);
+        run.ifPresent(painter -> painter.paintPills(g, view, labels, a -> look.text("word." + a.key())));
     }
 
     private void paintSelection(Graphics2D g) {

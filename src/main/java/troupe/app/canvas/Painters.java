@@ -23,7 +23,7 @@ import troupe.run.Run;
 final class Painters implements AutoCloseable {
 
     /** The painters of one plan. Fields of numbers are filled only where they are the one thing shown. */
-    record Prepared(Optional<RunPainter> run, List<OverlayPainter> overlays, Legend legend) {}
+    record Prepared(Optional<RunPainter> run, List<OverlayPainter> overlays, boolean field, Legend legend) {}
 
     private final Look look;
     private final Executor eventThread;
@@ -62,21 +62,47 @@ final class Painters implements AutoCloseable {
     private Prepared prepare(Plan plan, Set<String> keys, int layer) {
         List<Overlay> shown = plan.overlays().stream()
                 .filter(o -> keys.contains(o.key()))
-                .filter(o -> layer == OverlayChoice.ALL_LAYERS || o.layer() == layer)
+                .filter(o -> layer == OverlayChoice.ALL_LAYERS ? leads(plan, o) : o.layer() == layer)
                 .toList();
         boolean filled = shown.stream().map(Overlay::key).distinct().count() == 1;
         List<OverlayPainter> painters = shown.stream()
                 .map(o -> new OverlayPainter(o, look.theme(), filled))
                 .toList();
         Optional<Run> run = plan.run().filter(r -> keys.contains(OverlayChoice.PLAN));
-        List<Overlay> named =
-                shown.stream().filter(o -> o == first(shown, o.key())).toList();
+        List<Overlay> named = shown.stream()
+                .map(Overlay::key)
+                .distinct()
+                .map(key ->
+                        merged(shown.stream().filter(o -> o.key().equals(key)).toList()))
+                .toList();
         Legend legend = Legend.of(run.orElse(null), named, filled, look.theme(), this::word);
-        return new Prepared(run.map(r -> new RunPainter(r, look.theme())), painters, legend);
+        boolean field = filled && shown.stream().anyMatch(o -> o instanceof Overlay.Field);
+        return new Prepared(run.map(r -> new RunPainter(r, look.theme())), painters, field, legend);
     }
 
-    private static Overlay first(List<Overlay> overlays, String key) {
-        return overlays.stream().filter(o -> o.key().equals(key)).findFirst().orElseThrow();
+    /** Tells whether a view is worth showing among all layers: lines only where a way leads to the goal. */
+    private static boolean leads(Plan plan, Overlay overlay) {
+        return !(overlay instanceof Overlay.Lines)
+                || plan.overlays().stream().noneMatch(o -> o.key().equals("potential"))
+                || plan.overlays().stream().anyMatch(o -> o.key().equals("potential") && o.layer() == overlay.layer());
+    }
+
+    /** Returns one view for the legend out of those of several layers: with every word that one of them uses. */
+    private static Overlay merged(List<Overlay> layers) {
+        if (layers.size() == 1 || !(layers.get(0) instanceof Overlay.Field first)) {
+            return layers.get(0);
+        }
+        int length = layers.stream()
+                .mapToInt(o -> ((Overlay.Field) o).values().length)
+                .sum();
+        float[] values = new float[length];
+        int at = 0;
+        for (Overlay overlay : layers) {
+            float[] part = ((Overlay.Field) overlay).values();
+            System.arraycopy(part, 0, values, at, part.length);
+            at += part.length;
+        }
+        return new Overlay.Field(first.key(), first.layer(), first.frame(), values, first.scale());
     }
 
     private String word(String key) {

@@ -102,6 +102,7 @@ public final class Commands {
             JMenuItem item = command.isChoice() ? new JCheckBoxMenuItem(command) : new JMenuItem(command);
             item.setName("command." + command.id());
             item.setIcon(null);
+            item.setIconTextGap(24);
             item.setToolTipText(null);
             menu.add(item);
             before = command;

@@ -66,6 +66,8 @@ public final class SwingTheme extends DefaultMetalTheme {
             defaults.put(part + ".acceleratorFont", new FontUIResource(look.font()));
             defaults.put(part + ".border", border(4, 8, 4, 12));
             defaults.put(part + ".borderPainted", Boolean.FALSE);
+            defaults.put(part + ".acceleratorDelimiter", "+");
+            defaults.put(part + ".afterCheckIconGap", 6);
         }
         defaults.put("MenuBar.border", border(0, 0, 0, 0));
         defaults.put("PopupMenu.border", frame(4));

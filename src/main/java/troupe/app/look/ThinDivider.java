@@ -3,12 +3,14 @@ package troupe.app.look;
 import java.awt.Component;
 import java.awt.Graphics;
 import javax.swing.BorderFactory;
+import javax.swing.JComponent;
 import javax.swing.JSplitPane;
+import javax.swing.SwingUtilities;
 import javax.swing.plaf.basic.BasicSplitPaneDivider;
 import javax.swing.plaf.basic.BasicSplitPaneUI;
 import troupe.paint.Tone;
 
-/** Divides two panels by a thin strip that can be dragged. */
+/** Divides two panels by a thin strip that can be dragged. The function keys stay with the commands. */
 public final class ThinDivider extends BasicSplitPaneUI {
     private static final int SIZE = 4;
     private final Look look;
@@ -26,6 +28,7 @@ public final class ThinDivider extends BasicSplitPaneUI {
         split.setUI(new ThinDivider(look, columns ? Tone.CANVAS : Tone.PANEL));
         split.setDividerSize(SIZE);
         split.setResizeWeight(weight);
+        SwingUtilities.replaceUIInputMap(split, JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT, null);
         split.setBorder(BorderFactory.createEmptyBorder());
         split.setBackground(look.color(Tone.PANEL));
         return split;

@@ -2,17 +2,21 @@ package troupe.app.panel;
 
 import java.awt.Color;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.stream.IntStream;
+import troupe.app.document.SceneEdits;
 import troupe.app.look.Look;
 import troupe.app.look.Texts;
 import troupe.app.plan.Plan;
+import troupe.app.plan.Views;
 import troupe.app.session.OverlayChoice;
 import troupe.app.session.Session;
+import troupe.paint.Theme;
 import troupe.paint.Tone;
-import troupe.run.Overlay;
 import troupe.scene.Actor;
 import troupe.scene.Ditch;
 import troupe.scene.Obstacle;
@@ -30,6 +34,7 @@ import troupe.scene.Task;
 record OutlineRow(
         Kind kind, List<String> ids, String name, String note, Color color, boolean round, int layer, String hint) {
     private static final int GROUP = 3;
+    private static final int LAYERS = 6;
 
     /** What a row stands for. */
     enum Kind {
@@ -69,17 +74,35 @@ record OutlineRow(
     }
 
     private static void addLayers(List<OutlineRow> rows, Session session, Look look) {
-        List<Overlay> overlays = session.plan().map(Plan::overlays).orElse(List.of());
-        int layers = 1 + overlays.stream().mapToInt(Overlay::layer).max().orElse(0);
+        List<Views.Layer> layers = session.plan().map(p -> p.views().layers()).orElse(List.of());
         rows.add(heading(look, "outline.layers"));
-        if (layers > 1) {
-            rows.add(layer(look.text("outline.layers.all"), look.color(Tone.STEP), OverlayChoice.ALL_LAYERS));
+        if (layers.size() != 1) {
+            rows.add(layer(look.text("outline.layers.all"), "", look.color(Tone.STEP), OverlayChoice.ALL_LAYERS));
         }
-        for (int i = 0; i < layers; i++) {
-            String name = i == 0 ? look.text("outline.ground") : look.texts().format("outline.layer", i);
-            int stands = layers == 1 ? OverlayChoice.ALL_LAYERS : i;
-            rows.add(layer(name, look.color(i == 0 ? Tone.FLOOR : Tone.DECK), stands));
+        IntStream.range(0, layers.size())
+                .boxed()
+                .sorted(Comparator.comparingInt(i -> -layers.get(i).cells()))
+                .limit(LAYERS)
+                .forEach(i -> {
+                    Views.Layer layer = layers.get(i);
+                    boolean ground = layer.on().isEmpty();
+                    String name = ground ? look.text("outline.ground") : name(session, layer.on());
+                    int stands = layers.size() == 1 ? OverlayChoice.ALL_LAYERS : i;
+                    rows.add(layer(name, range(layer), look.color(ground ? Tone.FLOOR : Tone.DECK), stands));
+                });
+    }
+
+    private static String name(Session session, String id) {
+        return SceneEdits.name(session.document().shown(), id);
+    }
+
+    private static String range(Views.Layer layer) {
+        if (Double.isNaN(layer.lowest())) {
+            return "";
         }
+        String lowest = Texts.number(layer.lowest(), 1);
+        String highest = Texts.number(layer.highest(), 1);
+        return (lowest.equals(highest) ? lowest : lowest + " \u2026 " + highest) + " m";
     }
 
     private static void addObstacles(List<OutlineRow> rows, Scene scene, Look look) {
@@ -118,12 +141,18 @@ record OutlineRow(
 
     private static Color color(Obstacle obstacle, Look look) {
         if (obstacle.colour().matches("#[0-9a-fA-F]{6}")) {
-            return Color.decode(obstacle.colour());
+            return readable(Color.decode(obstacle.colour()), look);
         }
         if (obstacle.movable()) {
             return look.color(Tone.WOOD);
         }
         return look.color(obstacle.offset() > 0 ? Tone.DECK : obstacle.top() <= 1.3 ? Tone.LOW : Tone.WALL);
+    }
+
+    /** Returns the colour, lightened where it would not stand out from a dark panel. */
+    private static Color readable(Color color, Look look) {
+        boolean dim = look.theme() == Theme.DARK && color.getRed() + color.getGreen() + color.getBlue() < 300;
+        return dim ? Look.mix(color, look.color(Tone.TEXT), 0.65) : color;
     }
 
     private static void addProblems(List<OutlineRow> rows, Session session, Look look) {
@@ -152,8 +181,8 @@ record OutlineRow(
         return new OutlineRow(Kind.HEADING, List.of(), look.text(key), "", look.color(Tone.DIM), false, 0, "");
     }
 
-    private static OutlineRow layer(String name, Color color, int layer) {
-        return new OutlineRow(Kind.LAYER, List.of(), name, "", color, false, layer, "");
+    private static OutlineRow layer(String name, String note, Color color, int layer) {
+        return new OutlineRow(Kind.LAYER, List.of(), name, note, color, false, layer, "");
     }
 
     private static OutlineRow thing(List<String> ids, String name, String note, Color color, boolean round) {

@@ -38,6 +38,7 @@ public final class LivePlanner implements AutoCloseable {
 
     private final PlanningSteps steps;
     private final Executor eventThread;
+    private final long patienceMs;
     private final ThreadPoolExecutor worker;
     private final Listeners<Plan> plans = new Listeners<>();
     private final Listeners<Work> works = new Listeners<>();
@@ -47,8 +48,14 @@ public final class LivePlanner implements AutoCloseable {
 
     /** Makes a planner that tells its results through {@code eventThread}. */
     public LivePlanner(PlanningSteps steps, Executor eventThread) {
+        this(steps, eventThread, PATIENCE_MS);
+    }
+
+    /** Makes a planner that lets work for an earlier moment of a gesture go on for {@code patienceMs}. */
+    LivePlanner(PlanningSteps steps, Executor eventThread, long patienceMs) {
         this.steps = steps;
         this.eventThread = eventThread;
+        this.patienceMs = patienceMs;
         this.worker = new ThreadPoolExecutor(1, 1, 0, TimeUnit.SECONDS, new LinkedBlockingQueue<>(), task -> {
             Thread thread = new Thread(task, "planning");
             thread.setDaemon(true);
@@ -103,7 +110,7 @@ public final class LivePlanner implements AutoCloseable {
         watch.report(0, Double.NaN);
         List<Problem> problems = steps.check(snapshot.scene());
         if (snapshot.task().isEmpty() || problems.stream().anyMatch(p -> p.severity() == Severity.ERROR)) {
-            tell(new Plan(snapshot, Optional.empty(), problems, List.of(), List.of(), watch.elapsedMs()));
+            tell(new Plan(snapshot, Optional.empty(), problems, Views.NONE, List.of(), watch.elapsedMs()));
             return;
         }
         Engine engine = steps.start(snapshot.scene(), snapshot.task());
@@ -111,10 +118,10 @@ public final class LivePlanner implements AutoCloseable {
             return;
         }
         Run run = engine.run();
-        Plan plan = new Plan(snapshot, Optional.of(run), problems, List.of(), List.of(), watch.elapsedMs());
+        Plan plan = new Plan(snapshot, Optional.of(run), problems, Views.NONE, List.of(), watch.elapsedMs());
         tell(plan);
         if (watch.isNewest()) {
-            Plan seen = plan.withOverlays(engine.overlays());
+            Plan seen = plan.withOverlays(steps.overlays(snapshot.scene(), snapshot.task(), engine));
             tell(seen);
             if (snapshot.version().preview() == 0 && watch.isNewest()) {
                 tellRoutes(seen.withProblems(steps.inspect(snapshot.scene())), run, watch);
@@ -216,7 +223,7 @@ public final class LivePlanner implements AutoCloseable {
             }
             return asked == null
                     || asked.version().revision() != snapshot.version().revision()
-                    || elapsedMs() > PATIENCE_MS;
+                    || elapsedMs() > patienceMs;
         }
 
         private void report(long done, double share) {

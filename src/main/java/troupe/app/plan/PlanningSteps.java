@@ -2,6 +2,7 @@ package troupe.app.plan;
 
 import java.util.List;
 import troupe.run.Engine;
+import troupe.run.Overlay;
 import troupe.scene.Problem;
 import troupe.scene.Scene;
 
@@ -20,4 +21,7 @@ public interface PlanningSteps {
      * @throws IllegalArgumentException if the scene holds no such task or cannot be planned
      */
     Engine start(Scene scene, String task);
+
+    /** Returns the views of a task that has been worked on: the engine's own and those of the grid below it. */
+    List<Overlay> overlays(Scene scene, String task, Engine engine);
 }

@@ -1,4 +1,4 @@
-package troupe.scene;
+package troupe.run;
 
 import java.io.BufferedOutputStream;
 import java.io.IOException;
@@ -19,11 +19,11 @@ import java.nio.file.StandardOpenOption;
 public final class AtomicFile {
     private static final int TRIES = 100;
 
-    /** What writes the content; {@code E} is what it may throw besides. */
+    /** What writes the content. */
     @FunctionalInterface
-    public interface Content<E extends Exception> {
+    public interface Content {
         /** Writes everything; the stream is buffered and closed by the caller. */
-        void writeTo(OutputStream out) throws IOException, E;
+        void writeTo(OutputStream out) throws IOException;
     }
 
     private AtomicFile() {}
@@ -32,7 +32,7 @@ public final class AtomicFile {
      * Writes {@code target}, replacing what is there. If the content cannot be written the target stays as
      * it is and nothing is left beside it.
      */
-    public static <E extends Exception> void write(Path target, Content<E> content) throws IOException, E {
+    public static void write(Path target, Content content) throws IOException {
         Path file = target.toAbsolutePath();
         if (file.getFileName() == null || Files.isDirectory(file)) {
             throw new IOException(target + " is a folder; needs the name of a file");
@@ -53,8 +53,7 @@ public final class AtomicFile {
         throw new IOException("too many unfinished files beside " + target + "; delete those that end in .part");
     }
 
-    private static <E extends Exception> void fill(FileChannel channel, Path part, Path file, Content<E> content)
-            throws IOException, E {
+    private static void fill(FileChannel channel, Path part, Path file, Content content) throws IOException {
         boolean done = false;
         try {
             OutputStream out = new BufferedOutputStream(Channels.newOutputStream(channel), 1 << 16);

@@ -1,0 +1,215 @@
+package troupe.app.plan;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.EventQueue;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import troupe.app.OnEventThread;
+import troupe.app.Scenes;
+import troupe.app.document.Version;
+import troupe.run.Engine;
+import troupe.run.Overlay;
+import troupe.run.Run;
+import troupe.scene.Ability;
+import troupe.scene.Journey;
+import troupe.scene.Problem;
+import troupe.scene.Scene;
+import troupe.scene.Severity;
+import troupe.search.Outcome;
+
+class LivePlannerTest implements PlanningSteps {
+    private static final long FOREVER = 1_000_000;
+    private static final Run.Leg VAULT = new Run.Leg("ann", "vault", "crate", 0, 1, 2, List.of());
+
+    private final BlockingQueue<Plan> told = new LinkedBlockingQueue<>();
+    private final BlockingQueue<Work> works = new LinkedBlockingQueue<>();
+    private final Map<Scene, Runnable> during = new ConcurrentHashMap<>();
+    private final Map<Scene, List<Problem>> problems = new ConcurrentHashMap<>();
+    private LivePlanner planner;
+
+    @Override
+    public List<Problem> check(Scene scene) {
+        assertFalse(EventQueue.isDispatchThread());
+        return problems.getOrDefault(scene, List.of());
+    }
+
+    @Override
+    public List<Problem> inspect(Scene scene) {
+        assertFalse(EventQueue.isDispatchThread());
+        return List.of(new Problem(Severity.WARNING, "crate", 0, "inspected", ""));
+    }
+
+    @Override
+    public Engine start(Scene scene, String task) {
+        assertFalse(EventQueue.isDispatchThread());
+        boolean vaults = scene.task(task).orElseThrow() instanceof Journey j
+                && j.preferences().allows(Ability.VAULT);
+        return new ScriptedEngine(
+                scene, task, 3, vaults ? List.of(VAULT) : List.of(), during.getOrDefault(scene, () -> {}));
+    }
+
+    @Override
+    public List<Overlay> overlays(Scene scene, String task, Engine engine) {
+        assertFalse(EventQueue.isDispatchThread());
+        return engine.overlays();
+    }
+
+    private void begin(long patienceMs) {
+        planner = new LivePlanner(this, EventQueue::invokeLater, patienceMs);
+        planner.plans().add(plan -> {
+            assertTrue(EventQueue.isDispatchThread());
+            told.add(plan);
+        });
+        planner.works().add(works::add);
+    }
+
+    @AfterEach
+    void close() {
+        planner.close();
+    }
+
+    private static Snapshot snapshot(long revision, long preview) {
+        Scene scene = Scenes.room();
+        Scene titled = new Scene(
+                revision + "." + preview,
+                scene.world(),
+                scene.obstacles(),
+                scene.ditches(),
+                scene.actors(),
+                scene.tasks());
+        return new Snapshot(new Version(revision, preview), titled, "there");
+    }
+
+    private void request(Snapshot snapshot) {
+        OnEventThread.run(() -> planner.request(snapshot));
+    }
+
+    private Plan next() throws InterruptedException {
+        Plan plan = told.poll(20, TimeUnit.SECONDS);
+        assertNotNull(plan, "nothing was told");
+        return plan;
+    }
+
+    /** Holds the work on a snapshot, once it has begun, until another has been asked for. */
+    private void replaceDuring(Snapshot first, Snapshot second) throws InterruptedException {
+        CountDownLatch begun = new CountDownLatch(1);
+        CountDownLatch goOn = new CountDownLatch(1);
+        during.put(first.scene(), () -> {
+            begun.countDown();
+            await(goOn);
+        });
+        request(first);
+        assertTrue(begun.await(20, TimeUnit.SECONDS));
+        request(second);
+        goOn.countDown();
+    }
+
+    private static void await(CountDownLatch latch) {
+        try {
+            assertTrue(latch.await(20, TimeUnit.SECONDS));
+        } catch (InterruptedException e) {
+            throw new AssertionError(e);
+        }
+    }
+
+    @Test
+    void tellsThePlanThenItsViewsThenTheRoutesBesideIt() throws InterruptedException {
+        begin(FOREVER);
+        request(snapshot(1, 0));
+        Plan plan = next();
+        assertTrue(plan.run().orElseThrow().outcome().isFound());
+        assertEquals(List.of(), plan.overlays());
+        assertEquals(1, next().overlays().size());
+        Plan inspected = next();
+        assertEquals("inspected", inspected.problems().get(0).message());
+        List<Route> routes = next().routes();
+        assertEquals(
+                List.of(EnumSet.of(Ability.VAULT), EnumSet.complementOf(EnumSet.of(Ability.WALK))),
+                routes.stream().map(Route::without).toList());
+        Journey without = (Journey)
+                routes.get(0).run().orElseThrow().scene().task("there").orElseThrow();
+        assertFalse(without.preferences().allows(Ability.VAULT));
+        assertTrue(without.preferences().allows(Ability.STRIDE));
+    }
+
+    @Test
+    void anOlderRevisionIsCancelledAndNeverTold() throws InterruptedException {
+        begin(FOREVER);
+        replaceDuring(snapshot(1, 0), snapshot(2, 0));
+        assertEquals(2, next().snapshot().version().revision());
+    }
+
+    @Test
+    void anEarlierMomentOfAGestureMayFinish() throws InterruptedException {
+        begin(FOREVER);
+        replaceDuring(snapshot(1, 1), snapshot(1, 2));
+        assertEquals(1, next().snapshot().version().preview());
+        Plan second = next();
+        assertEquals(2, second.snapshot().version().preview());
+        assertEquals(List.of(), second.overlays(), "views of the first moment are not told any more");
+    }
+
+    @Test
+    void anEarlierMomentThatTakesTooLongIsCancelled() throws InterruptedException {
+        begin(-1);
+        replaceDuring(snapshot(1, 1), snapshot(1, 2));
+        assertEquals(2, next().snapshot().version().preview());
+    }
+
+    @Test
+    void aMomentOfAGestureHasNoRoutesBesideIt() throws InterruptedException {
+        begin(FOREVER);
+        request(snapshot(1, 1));
+        next();
+        next();
+        request(snapshot(2, 0));
+        assertEquals(2, next().snapshot().version().revision());
+    }
+
+    @Test
+    void cancelEndsTheWorkUnderWay() throws InterruptedException {
+        begin(FOREVER);
+        Snapshot snapshot = snapshot(1, 0);
+        during.put(snapshot.scene(), () -> planner.cancel());
+        request(snapshot);
+        assertEquals(Outcome.CANCELLED, next().run().orElseThrow().outcome());
+    }
+
+    @Test
+    void aSceneWithErrorsIsNotPlanned() throws InterruptedException {
+        begin(FOREVER);
+        Snapshot snapshot = snapshot(1, 0);
+        Problem error = new Problem(Severity.ERROR, "crate", 0, "twisted", "untwist it");
+        problems.put(snapshot.scene(), List.of(error));
+        request(snapshot);
+        Plan plan = next();
+        assertTrue(plan.run().isEmpty());
+        assertEquals(List.of(error), plan.problems());
+    }
+
+    @Test
+    void workIsToldFromPlanningToIdle() throws InterruptedException {
+        begin(FOREVER);
+        request(snapshot(1, 0));
+        Work first = works.poll(20, TimeUnit.SECONDS);
+        assertTrue(first.planning());
+        Work work = first;
+        while (work.planning()) {
+            work = works.poll(20, TimeUnit.SECONDS);
+            assertNotNull(work);
+        }
+        assertEquals(Work.IDLE, work);
+    }
+}
