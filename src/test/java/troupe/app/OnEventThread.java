@@ -5,7 +5,7 @@ import java.lang.reflect.InvocationTargetException;
 import java.util.concurrent.Callable;
 import java.util.concurrent.atomic.AtomicReference;
 
-/** Runs parts of a test on the event thread and waits for them. */
+/** Runs parts of a test on the event thread and waits for them; at once when that is where it is called. */
 public final class OnEventThread {
     private OnEventThread() {}
 
@@ -19,6 +19,9 @@ public final class OnEventThread {
 
     /** Returns what a supplier gives on the event thread; what it throws is thrown here. */
     public static <T> T get(Callable<T> supplier) {
+        if (EventQueue.isDispatchThread()) {
+            return here(supplier);
+        }
         AtomicReference<T> result = new AtomicReference<>();
         AtomicReference<Throwable> thrown = new AtomicReference<>();
         try {
@@ -42,5 +45,15 @@ public final class OnEventThread {
             throw new AssertionError(thrown.get());
         }
         return result.get();
+    }
+
+    private static <T> T here(Callable<T> supplier) {
+        try {
+            return supplier.call();
+        } catch (RuntimeException e) {
+            throw e;
+        } catch (Exception e) {
+            throw new AssertionError(e);
+        }
     }
 }

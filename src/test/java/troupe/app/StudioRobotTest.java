@@ -1,0 +1,187 @@
+package troupe.app;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.Color;
+import java.awt.Component;
+import java.awt.GraphicsEnvironment;
+import java.awt.Point;
+import java.awt.event.KeyEvent;
+import java.awt.image.BufferedImage;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Assumptions;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import troupe.app.plan.Plan;
+import troupe.app.play.Figures;
+import troupe.paint.Viewport;
+import troupe.run.Run;
+import troupe.scene.Scene;
+import troupe.scene.SceneXml;
+
+/** Works the real window with mouse and keys, on a real or a virtual display. */
+class StudioRobotTest {
+    /** The middle of the crate, and of the door of the yard, in metres. */
+    private static final double[] CRATE = {7.1, 9.35};
+
+    private static final double[] DOOR = {8.14, 7.6};
+
+    @TempDir
+    Path folder;
+
+    private StudioFixture studio;
+
+    @BeforeEach
+    void open() throws Exception {
+        Assumptions.assumeFalse(GraphicsEnvironment.isHeadless(), "skipped: there is no display");
+        studio = new StudioFixture(folder);
+    }
+
+    @AfterEach
+    void close() {
+        if (studio != null) {
+            studio.close();
+        }
+    }
+
+    private Point at(double[] place) {
+        return studio.pixel(place[0], place[1]);
+    }
+
+    private Run run() {
+        return studio.awaitPlan().run().orElseThrow();
+    }
+
+    @Test
+    void aDraggedCrateChangesThePlanAndUndoBringsItBack() {
+        Scene before = studio.scene();
+        Run first = run();
+        assertTrue(first.outcome().isFound());
+        studio.drag(studio.window().canvas(), at(CRATE), at(DOOR));
+        Run second = run();
+        assertNotEquals(before, studio.scene());
+        assertNotEquals(
+                first.legs().size() + Figures.energy(first), second.legs().size() + Figures.energy(second));
+        Scene after = studio.scene();
+        studio.keys(KeyEvent.VK_CONTROL, KeyEvent.VK_Z);
+        Await.until("undone", () -> studio.session().document().scene().equals(before));
+        assertEquals(Figures.energy(first), Figures.energy(run()));
+        studio.keys(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_Z);
+        Await.until("done again", () -> studio.session().document().scene().equals(after));
+        assertEquals(Figures.energy(second), Figures.energy(run()));
+        assertEquals(
+                List.of("Move Crate"),
+                OnEventThread.get(() -> studio.session().document().history().names()));
+    }
+
+    @Test
+    void thePlanFollowsWhileTheMouseIsDownAndEscapeLeavesNoTrace() {
+        Scene before = studio.scene();
+        double energy = Figures.energy(run());
+        studio.pressAndMove(studio.window().canvas(), at(CRATE), at(DOOR));
+        Await.until(
+                "a plan of a moment of the gesture",
+                () -> studio.session().plan().orElseThrow().snapshot().version().preview() > 0);
+        assertEquals(before, studio.scene());
+        studio.keys(KeyEvent.VK_ESCAPE);
+        studio.release();
+        assertEquals(before, studio.scene());
+        assertEquals(energy, Figures.energy(run()));
+        assertFalse(
+                OnEventThread.get(() -> studio.session().document().history().canUndo()));
+    }
+
+    @Test
+    void aSavedSceneReadsBackEqual() throws Exception {
+        studio.drag(studio.window().canvas(), at(CRATE), studio.pixel(4, 8));
+        assertTrue(OnEventThread.get(() -> studio.session().document().isUnsaved()));
+        studio.keys(KeyEvent.VK_CONTROL, KeyEvent.VK_S);
+        Await.until("saved", () -> !studio.session().document().isUnsaved());
+        Scene saved = studio.scene();
+        assertEquals(saved, SceneXml.read(studio.file()).scene());
+        OnEventThread.run(() -> studio.session().open(studio.file()));
+        Await.until("opened anew", () -> studio.session().document().scene() != saved);
+        assertEquals(saved, studio.scene());
+        assertTrue(run().outcome().isFound());
+    }
+
+    @Test
+    void theTimelinePlaysAndScrubs() {
+        run();
+        studio.click("transport.play");
+        Await.until(
+                "half a second has been played",
+                () -> studio.session().playback().time() > 0.5);
+        studio.click("transport.play");
+        assertFalse(OnEventThread.get(() -> studio.session().playback().isPlaying()));
+        Component view = studio.find("timeline.view");
+        Point middle = new Point(view.getWidth() / 2, 30);
+        studio.drag(view, new Point(view.getWidth() / 4, 30), middle);
+        double share = OnEventThread.get(() ->
+                studio.session().playback().time() / studio.session().playback().duration());
+        assertEquals(0.5, share, 0.01);
+        studio.keys(KeyEvent.VK_RIGHT);
+        assertTrue(OnEventThread.get(() -> studio.session().playback().time()
+                        / studio.session().playback().duration())
+                > share);
+    }
+
+    @Test
+    void aChipShowsAViewAndTheStatusItsValue() {
+        Plan plan = studio.awaitPlan();
+        assertTrue(plan.overlays().stream().anyMatch(o -> o.key().equals("clearance")));
+        Component canvas = studio.window().canvas();
+        Point open = studio.pixel(12, 1);
+        BufferedImage before = studio.picture(canvas);
+        Color floor = new Color(before.getRGB(open.x, open.y));
+        studio.click("chip.clearance");
+        Await.until("the floor is coloured", () -> {
+            BufferedImage now = new BufferedImage(canvas.getWidth(), canvas.getHeight(), BufferedImage.TYPE_INT_RGB);
+            canvas.paint(now.createGraphics());
+            return !new Color(now.getRGB(open.x, open.y)).equals(floor);
+        });
+        assertTrue(StudioFixture.difference(before, studio.picture(canvas)) > 0.2);
+        studio.moveTo(canvas, open.x, open.y);
+        Await.until("the status tells the clearance", () -> ((javax.swing.JLabel) studio.find("status.values"))
+                .getText()
+                .contains("clearance "));
+    }
+
+    @Test
+    void theSearchSwitchesToTheDarkThemeAndTheDocumentStays() {
+        Scene before = studio.scene();
+        BufferedImage light = studio.picture(studio.window().canvas());
+        studio.keys(KeyEvent.VK_CONTROL, KeyEvent.VK_K);
+        Await.until(
+                "the search has the focus", () -> studio.find("search.query").isFocusOwner());
+        studio.type("dark");
+        studio.keys(KeyEvent.VK_ENTER);
+        Await.until("the theme is dark", () -> "dark".equals(studio.settings().get("theme")));
+        Await.until(
+                "the canvas is there",
+                () -> studio.window().canvas().isShowing()
+                        && studio.window().canvas().getWidth() > 100);
+        BufferedImage dark = studio.picture(studio.window().canvas());
+        assertTrue(new Color(dark.getRGB(3, 60)).getRed() < 60);
+        assertTrue(new Color(light.getRGB(3, 60)).getRed() > 200);
+        assertEquals(before, studio.scene());
+    }
+
+    @Test
+    void theWheelZoomsAtThePointer() {
+        Component canvas = studio.window().canvas();
+        Viewport before = OnEventThread.get(() -> studio.window().canvas().view());
+        studio.moveTo(canvas, 200, 300);
+        studio.wheel(-3);
+        Viewport after = OnEventThread.get(() -> studio.window().canvas().view());
+        assertTrue(after.scale() > 1.3 * before.scale());
+        assertEquals(before.x(200), after.x(200), 1e-9);
+        assertEquals(before.y(300), after.y(300), 1e-9);
+    }
+}
