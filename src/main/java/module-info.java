@@ -16,4 +16,7 @@ module troupe {
     exports troupe.work;
 
     uses troupe.work.Window;
+
+    provides troupe.work.Window with
+            troupe.app.StudioFront;
 }

@@ -38,12 +38,14 @@ final class FieldsCommand implements Command {
                 SceneFiles.SET,
                 Option.of("--show", "A,B,C", "what to draw; without it everything"),
                 Option.of("--width", "N", "width of the pictures in pixels; without it 900"),
-                Option.of("-o", "DIR", "the folder for the pictures KEY-LAYER.png; made if it is not there"));
+                Option.of("-o", "DIR", "the folder for the pictures KEY-STOREY.png; made if it is not there"));
     }
 
     @Override
     public List<String> notes() {
-        return List.of("A picture for each layer: " + String.join(", ", Fields.KEYS) + ".");
+        return List.of(
+                "A, B, C: " + String.join(", ", Fields.KEYS) + ".",
+                "A picture for each storey; layers that do not lie over each other share one.");
     }
 
     @Override

@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.ServiceLoader;
+import troupe.scene.SceneException;
 import troupe.work.Window;
 
 /** Opens the studio. */
@@ -24,7 +25,7 @@ final class OpenCommand implements Command {
 
     @Override
     public String summary() {
-        return "open the studio, with a scene or a run";
+        return "open the studio, with a scene if one is named";
     }
 
     @Override
@@ -33,7 +34,7 @@ final class OpenCommand implements Command {
     }
 
     @Override
-    public int run(Arguments arguments, Terminal terminal) throws UsageException, IOException {
+    public int run(Arguments arguments, Terminal terminal) throws UsageException, SceneException, IOException {
         Optional<Path> file =
                 arguments.count() == 0 ? Optional.empty() : Optional.of(Arguments.path(arguments.only("FILE")));
         if (file.isPresent() && !Files.exists(file.get())) {

@@ -3,7 +3,7 @@ package troupe.cli;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
-import troupe.run.AtomicFile;
+import troupe.scene.AtomicFile;
 
 /** Sends text to the file of {@code -o}, or to standard output for {@code -} and without {@code -o}. */
 final class Output {

@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.Locale;
 import troupe.paint.Animation;
 import troupe.run.Run;
+import troupe.scene.AtomicFile;
 
 /** Writes all of a run as numbered PNG pictures: {@code NAME-00000.png}, {@code NAME-00001.png}, … */
 public final class ImagesExport implements Exporter {
@@ -33,7 +34,7 @@ public final class ImagesExport implements Exporter {
         Animation animation = new Animation(settings.picture(run), settings.width(), settings.density());
         for (int k = 0; k < instants.length; k++) {
             double time = instants[k];
-            SafeFile.write(numbered(target, k), out -> ImageExport.write(animation.image(time), out));
+            AtomicFile.write(numbered(target, k), out -> ImageExport.write(animation.image(time), out));
         }
     }
 

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.Path;
 import troupe.run.Run;
+import troupe.scene.AtomicFile;
 
 /** Writes a run in a format of one file, so that it can go to a stream too. */
 public interface StreamExporter extends Exporter {
@@ -17,6 +18,6 @@ public interface StreamExporter extends Exporter {
 
     @Override
     default void write(Run run, ExportSettings settings, Path target) throws IOException, ExchangeException {
-        SafeFile.write(target, out -> write(run, settings, out));
+        AtomicFile.write(target, out -> write(run, settings, out));
     }
 }

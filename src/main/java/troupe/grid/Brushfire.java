@@ -113,15 +113,26 @@ final class Brushfire {
                 continue;
             }
             open++;
-            int missing = ~graph.moves[q] & 0xFF;
-            if (missing != 0) {
-                int d = Integer.numberOfTrailingZeros(missing);
+            int d = graph.moves[q] == -1 ? -1 : end(q);
+            if (d >= 0) {
                 vector[q] = (BIAS - GridFrame.dx(d) << 15) + BIAS - GridFrame.dy(d);
                 squared[q] = d < 4 ? 1 : 2;
                 push(2, q);
             }
         }
         return open;
+    }
+
+    /** Returns the first direction in which the region ends next to a node, straight ones first; -1 if none. */
+    private int end(int q) {
+        int missing = ~graph.moves[q] & 0xFF;
+        for (int bits = missing; bits != 0; bits &= bits - 1) {
+            int d = Integer.numberOfTrailingZeros(bits);
+            if (d < 4 || !graph.goesRound(q, d)) {
+                return d;
+            }
+        }
+        return -1;
     }
 
     private void spread(int q, int current) {

@@ -62,7 +62,7 @@ public final class Nf2 {
         requireOpen(steps, goal);
         this.goal = goal;
         this.folded = (graph.trait[goal] & StepGraph.FOLDED) != 0 ? goal : -1;
-        skeleton.compute(goal);
+        skeleton.compute(folded < 0 ? goal : unfoldedNeighbour(goal));
         Arrays.fill(waves, -1);
         waves[goal] = 0;
         int reached = spread == Journey.Spread.BREADTH ? spreadByBreadth() : spreadByClearance();
@@ -110,6 +110,17 @@ public final class Nf2 {
             throw new IllegalArgumentException(
                     "goal " + goal + "; must be an open configuration in [0, " + steps.size() + ")");
         }
+    }
+
+    /** Returns a neighbour of a folded node that is not folded; the node that it was folded for has the same. */
+    private int unfoldedNeighbour(int q) {
+        int s = graph.slot[q];
+        for (int k = graph.first[s]; k < graph.first[s + 1]; k++) {
+            if ((graph.trait[graph.target[k]] & StepGraph.FOLDED) == 0) {
+                return graph.target[k];
+            }
+        }
+        throw new IllegalStateException("folded configuration " + q + " has no neighbour");
     }
 
     /** Spreads one wave after the other along the skeleton; the queue ends up in ascending order of waves. */

@@ -115,6 +115,27 @@ final class StepGraph {
         return false;
     }
 
+    /** Tells whether two straight steps lead to the corner in the diagonal direction {@code d}. */
+    boolean goesRound(int q, int d) {
+        int a = d - 4;
+        int b = d - 3 & 3;
+        return leads(q, a, b) || leads(q, b, a);
+    }
+
+    /** Tells whether a step in one direction and then one in another are legal. */
+    private boolean leads(int q, int d, int then) {
+        if ((trait[q] & PLAIN) != 0) {
+            return (moves[q] >> d & 1) != 0 && (moves[q + offset[d]] >> then & 1) != 0;
+        }
+        int s = slot[q];
+        for (int k = first[s]; k < first[s + 1]; k++) {
+            if (direction[k] == d && (moves[target[k]] >> then & 1) != 0) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     /** Returns the direction that leads back. */
     static int opposite(int d) {
         return d < 4 ? d + 2 & 3 : 4 + (d + 2 & 3);

@@ -54,7 +54,7 @@ record CategoryLook(Color colour, Pattern pattern) {
             if (looks[i] == null) {
                 looks[i] = new CategoryLook(
                         theme.color(OTHER_TONES[next % OTHER_TONES.length]),
-                        OTHER_PATTERNS[next % OTHER_PATTERNS.length]);
+                        OTHER_PATTERNS[(next + next / OTHER_PATTERNS.length) % OTHER_PATTERNS.length]);
                 next++;
             }
         }

@@ -41,7 +41,11 @@ public final class Legend {
     private final List<Entry> entries;
 
     /** One sample with its words. */
-    private record Entry(Sample sample, int width, String text) {}
+    private record Entry(Sample sample, int width, String text, boolean category) {
+        Entry(Sample sample, int width, String text) {
+            this(sample, width, text, false);
+        }
+    }
 
     /** Draws a sample of a given width, its middle at {@code (0, 0)} on its left edge. */
     private interface Sample {
@@ -77,7 +81,7 @@ public final class Legend {
             more.removeIf(e -> entries.stream().anyMatch(known -> known.text().equals(e.text())));
             entries.addAll(more);
         }
-        return new Legend(theme, entries);
+        return new Legend(theme, shortened(entries));
     }
 
     private static Entry line(Color colour, BasicStroke stroke, String text) {
@@ -109,21 +113,26 @@ public final class Legend {
         } else if (overlay instanceof Overlay.Field f && f.scale() instanceof Overlay.Categories c) {
             boolean[] used = used(f, c.words().size());
             CategoryLook[] looks = CategoryLook.of(c.words(), theme);
-            int left = 0;
             for (int i = 0; i < looks.length; i++) {
                 if (used[i] && looks[i].pattern() != CategoryLook.Pattern.NONE) {
-                    if (entries.size() < MOST_CATEGORIES) {
-                        entries.add(
-                                swatch(theme, looks[i], words.apply(c.words().get(i))));
-                    } else {
-                        left++;
-                    }
+                    entries.add(swatch(theme, looks[i], words.apply(c.words().get(i))));
                 }
             }
-            if (left > 0) {
-                entries.add(new Entry(g -> {}, 0, "+ " + left));
-            }
         }
+    }
+
+    /** Leaves the first categories and the number of those that follow. */
+    private static List<Entry> shortened(List<Entry> entries) {
+        List<Entry> all =
+                new ArrayList<>(entries.stream().filter(Entry::category).toList());
+        if (all.size() <= MOST_CATEGORIES) {
+            return entries;
+        }
+        List<Entry> more = all.subList(MOST_CATEGORIES, all.size());
+        List<Entry> kept = new ArrayList<>(entries);
+        kept.set(kept.indexOf(more.get(0)), new Entry(g -> {}, 0, "+ " + more.size()));
+        kept.removeAll(more);
+        return kept;
     }
 
     private static boolean[] used(Overlay.Field field, int words) {
@@ -166,7 +175,7 @@ public final class Legend {
             g.setStroke(Theme.line(1));
             g.draw(new Rectangle2D.Double(-0.5, -6.5, 25, 13));
         };
-        return new Entry(sample, 24, name);
+        return new Entry(sample, 24, name, true);
     }
 
     private static String number(double value) {

@@ -46,14 +46,14 @@ public enum Theme {
     }
 
     /**
-     * Returns the line style of an ability: walk and sidestep solid, stride in long dashes, vault dotted,
+     * Returns the line style of an ability: walk solid, sidestep solid and thin, stride in dashes and dots, vault dotted,
      * move dashed; {@code width} is that of the line in pixels, above 0.
      */
     public static BasicStroke stroke(Ability ability, float width) {
         return switch (ability) {
             case WALK -> line(width);
             case SIDESTEP -> line(width * 0.6f);
-            case STRIDE -> line(width, 4.5f * width, 1.8f * width);
+            case STRIDE -> line(width, 3.2f * width, 1.75f * width, 0.01f * width, 1.75f * width);
             case VAULT -> line(width, 0.01f * width, 2 * width);
             case MOVE -> line(width, 2.25f * width, 1.75f * width);
         };

@@ -13,8 +13,10 @@ import troupe.grid.Region;
 import troupe.scene.Ability;
 
 /**
- * Turns the grid core into overlays, one field for each layer: a crossing is shown in the layer that it is
- * entered from, under a span of that layer where there are both. Immutable; serves any thread.
+ * Turns the grid core into overlays, one for each storey: layers that do not lie over each other share a
+ * storey, the ground floor is storey 0. A crossing is shown in the storey that it is entered from; where it
+ * passes over a span of another layer of that storey (the top of the wall that is vaulted), the crossing is
+ * shown. Immutable; serves any thread.
  */
 public final class GridOverlays {
     /** The keys of the overlays, in the order of menus. */
@@ -30,6 +32,7 @@ public final class GridOverlays {
     private final Region region;
     private final int[] layer;
     private final int layers;
+    private final Storeys storeys;
 
     /**
      * Makes the overlays of a region.
@@ -39,6 +42,7 @@ public final class GridOverlays {
     public GridOverlays(Region region, Layers layers) {
         this.region = region;
         this.layers = layers.count();
+        this.storeys = new Storeys(region, layers);
         layer = new int[region.size()];
         Arrays.fill(layer, NOWHERE);
         for (int q = 0; q < region.spanCount(); q++) {
@@ -134,10 +138,14 @@ public final class GridOverlays {
 
     /** Returns the skeleton as polylines. */
     public List<Overlay> skeleton(Nf2 nf2) {
-        SkeletonLines lines = new SkeletonLines(region, nf2::skeleton, layer, layers);
+        int[] storey =
+                Arrays.stream(layer).map(k -> k == NOWHERE ? 0 : storeys.of(k)).toArray();
+        SkeletonLines lines = new SkeletonLines(region, nf2::skeleton, storey, storeys.count());
         List<Overlay> overlays = new ArrayList<>();
-        for (int k = 0; k < layers; k++) {
-            overlays.add(new Overlay.Lines("skeleton", k, lines.inLayer(k)));
+        for (int k = 0; k < storeys.count(); k++) {
+            if (!lines.inStorey(k).isEmpty()) {
+                overlays.add(new Overlay.Lines("skeleton", k, lines.inStorey(k)));
+            }
         }
         return overlays;
     }
@@ -176,26 +184,30 @@ public final class GridOverlays {
     }
 
     private List<Overlay> fields(String key, IntPredicate shown, IntToDoubleFunction value, Overlay.Scale scale) {
-        float[][] values = new float[layers][];
-        for (int q = layer.length - 1; q >= 0; q--) {
+        int[][] holders = new int[storeys.count()][];
+        for (int q = 0; q < layer.length; q++) {
             if (layer[q] == NOWHERE || !shown.test(q)) {
                 continue;
             }
-            float[] field = values[layer[q]];
-            if (field == null) {
-                field = new float[region.frame().size()];
-                Arrays.fill(field, Float.NaN);
-                values[layer[q]] = field;
+            int storey = storeys.of(layer[q]);
+            if (holders[storey] == null) {
+                holders[storey] = new int[region.frame().size()];
+                Arrays.fill(holders[storey], NOWHERE);
             }
-            boolean hides = region.open(q) || Float.isNaN(field[region.cell(q)]);
-            if (hides) {
-                field[region.cell(q)] = (float) value.applyAsDouble(q);
+            int holder = holders[storey][region.cell(q)];
+            if (holder == NOWHERE || !region.open(holder) || layer[holder] != layer[q]) {
+                holders[storey][region.cell(q)] = q;
             }
         }
         List<Overlay> overlays = new ArrayList<>();
-        for (int k = 0; k < layers; k++) {
-            if (values[k] != null) {
-                overlays.add(new Overlay.Field(key, k, region.frame(), values[k], scale));
+        for (int k = 0; k < holders.length; k++) {
+            if (holders[k] != null) {
+                float[] values = new float[holders[k].length];
+                for (int cell = 0; cell < values.length; cell++) {
+                    int q = holders[k][cell];
+                    values[cell] = q == NOWHERE ? Float.NaN : (float) value.applyAsDouble(q);
+                }
+                overlays.add(new Overlay.Field(key, k, region.frame(), values, scale));
             }
         }
         return overlays;

@@ -15,22 +15,28 @@ public final class RunComparison {
      * their number; nothing if every bit is equal. Cost O(values).
      */
     public static Optional<String> firstDifference(Frames expected, Frames actual) {
+        int common = Math.min(expected.count(), actual.count());
+        return firstDifference(expected, actual, common)
+                .or(() -> expected.count() == actual.count()
+                        ? Optional.empty()
+                        : Optional.of("frames: expected " + expected.count() + ", found " + actual.count()));
+    }
+
+    /** Names the first difference within the first {@code count} frames, which both must have. */
+    public static Optional<String> firstDifference(Frames expected, Frames actual, int count) {
         if (!expected.channels().equals(actual.channels())) {
             return Optional.of("channels: expected " + names(expected) + ", found " + names(actual));
         }
         if (expected.rate() != actual.rate()) {
             return Optional.of("rate: expected " + expected.rate() + " frames/s, found " + actual.rate());
         }
-        int common = Math.min(expected.count(), actual.count());
-        for (int frame = 0; frame < common; frame++) {
+        for (int frame = 0; frame < count; frame++) {
             Optional<String> difference = inFrame(expected, actual, frame);
             if (difference.isPresent()) {
                 return difference;
             }
         }
-        return expected.count() == actual.count()
-                ? Optional.empty()
-                : Optional.of("frames: expected " + expected.count() + ", found " + actual.count());
+        return Optional.empty();
     }
 
     private static Optional<String> inFrame(Frames expected, Frames actual, int frame) {

@@ -12,6 +12,7 @@ import java.util.HexFormat;
 import java.util.List;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
+import troupe.scene.AtomicFile;
 import troupe.scene.Scene;
 import troupe.scene.SceneException;
 import troupe.scene.SceneXml;

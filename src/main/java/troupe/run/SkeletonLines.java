@@ -16,16 +16,16 @@ final class SkeletonLines {
     private static final int STRAIGHT = 4;
 
     private final Region region;
-    private final int[] layer;
+    private final int[] storey;
     private final int[] nodes;
     private final int[][] joined;
     private final boolean[][] drawn;
     private final List<List<double[]>> lines = new ArrayList<>();
 
     /** Traces the polylines. Cost O(size of the region). */
-    SkeletonLines(Region region, IntPredicate skeleton, int[] layer, int layers) {
+    SkeletonLines(Region region, IntPredicate skeleton, int[] storey, int storeys) {
         this.region = region;
-        this.layer = layer;
+        this.storey = storey;
         int[] index = new int[region.size()];
         Arrays.fill(index, -1);
         nodes = IntStream.range(0, region.size()).filter(skeleton).toArray();
@@ -35,15 +35,15 @@ final class SkeletonLines {
         joined = new int[nodes.length][];
         drawn = new boolean[nodes.length][];
         join(index);
-        for (int k = 0; k < layers; k++) {
+        for (int k = 0; k < storeys; k++) {
             lines.add(new ArrayList<>());
         }
         trace(true);
         trace(false);
     }
 
-    /** Returns the polylines that begin in a layer. */
-    List<double[]> inLayer(int k) {
+    /** Returns the polylines that begin in a storey. */
+    List<double[]> inStorey(int k) {
         return List.copyOf(lines.get(k));
     }
 
@@ -109,7 +109,7 @@ final class SkeletonLines {
             points[2 * i] = region.x(nodes[line.get(i)]);
             points[2 * i + 1] = region.y(nodes[line.get(i)]);
         }
-        lines.get(Math.max(0, layer[nodes[begin]])).add(points);
+        lines.get(storey[nodes[begin]]).add(points);
     }
 
     private static int indexOf(int[] values, int wanted) {

@@ -2,11 +2,9 @@ package troupe.scene;
 
 import java.io.IOException;
 import java.io.InputStream;
-import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 
 /**
  * Reads and writes scene files ({@code urn:troupe:scene:1}). What {@link #write(Scene)} wrote reads back
@@ -55,21 +53,12 @@ public final class SceneXml {
     }
 
     /**
-     * Writes a scene file as a whole: a temporary file beside it takes its place when it is complete, so
-     * that at any moment the old file or the new one is there.
+     * Writes a scene file as a whole: at any moment the old file or the new one is there.
      *
      * @throws IOException if it cannot be written; then the old file is untouched
      */
     public static void write(Scene scene, Path file) throws IOException {
-        Path target = file.toAbsolutePath();
-        Path part = Files.createTempFile(target.getParent(), "." + target.getFileName(), ".part");
-        try {
-            try (OutputStream out = Files.newOutputStream(part)) {
-                out.write(write(scene).getBytes(StandardCharsets.UTF_8));
-            }
-            Files.move(part, target, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
-        } finally {
-            Files.deleteIfExists(part);
-        }
+        byte[] text = write(scene).getBytes(StandardCharsets.UTF_8);
+        AtomicFile.write(file, out -> out.write(text));
     }
 }

@@ -116,9 +116,16 @@ final class CostToGo implements Expander {
         wantedFrontier = bound + fromStart(configuration);
     }
 
-    /** Tells whether what was asked for last is not there yet. */
-    boolean isWanting() {
-        return !isSettled(wanted) && frontier < wantedFrontier;
+    private boolean isWanting() {
+        return stamps[wanted] != isSettled && frontier < wantedFrontier;
+    }
+
+    /**
+     * Tells whether what was asked for is there, or will never be. The search has then looked at the next
+     * open place, too, so that what it knows does not depend on how the work was sliced.
+     */
+    boolean hasAnswered() {
+        return search.isWaiting() || !search.outcome().isRunning();
     }
 
     /** Works towards what was asked for, with at most {@code budget} expansions; returns those made. */

@@ -6,12 +6,14 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import troupe.grid.Layers;
 import troupe.grid.Nf2;
 import troupe.grid.Region;
 import troupe.grid.RegionBuilder;
 import troupe.run.Engine;
 import troupe.run.FrameRecorder;
 import troupe.run.Frames;
+import troupe.run.GridOverlays;
 import troupe.run.Overlay;
 import troupe.run.Run;
 import troupe.scene.Ability;
@@ -37,6 +39,7 @@ public final class JourneyEngine implements Engine {
     private final StageTimes times = new StageTimes();
 
     private Outcome outcome = Outcome.RUNNING;
+    private Layers layers;
     private Region region;
     private Nf2 nf2;
     private Standpoint start;
@@ -89,7 +92,7 @@ public final class JourneyEngine implements Engine {
 
     private void prepare() {
         RegionBuilder builder = new RegionBuilder(scene, actor);
-        times.measure(StageTimes.LAYERS, builder::layers);
+        times.measure(StageTimes.LAYERS, () -> layers = builder.layers());
         times.measure(StageTimes.REGION, () -> region = builder.region());
         start = Standpoint.at(region, scene, journey.start(), "start");
         goal = Standpoint.at(region, scene, journey.goal(), "goal");
@@ -171,9 +174,15 @@ public final class JourneyEngine implements Engine {
 
     @Override
     public List<Overlay> overlays() {
+        if (region == null) {
+            return List.of();
+        }
+        Nf2 potential = goal.configuration() < 0 ? null : field();
+        GridOverlays grid = new GridOverlays(region, layers);
         List<Overlay> views = new ArrayList<>();
+        GridOverlays.KEYS.forEach(key -> views.addAll(grid.of(key, potential)));
         if (search != null) {
-            views.addAll(SearchEffort.of(region, search));
+            views.addAll(SearchEffort.of(region, layers, search));
         }
         return List.copyOf(views);
     }

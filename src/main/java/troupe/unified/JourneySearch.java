@@ -98,7 +98,7 @@ public final class JourneySearch implements Expander {
         while (left > 0 && search.outcome().isRunning()) {
             if (waiting != LabelPool.NONE) {
                 left -= toGo.advance(left);
-                if (!toGo.isWanting()) {
+                if (toGo.hasAnswered()) {
                     int label = waiting;
                     waiting = LabelPool.NONE;
                     put(label, waitingKey);

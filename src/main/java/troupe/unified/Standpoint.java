@@ -21,12 +21,15 @@ record Standpoint(int configuration, String reason, List<String> blockedBy) {
     /** Looks up a place; {@code name} is {@code start} or {@code goal}. Cost O(obstacles). */
     static Standpoint at(Region region, Scene scene, Place place, String name) {
         int q = region.locate(place);
-        if (q >= 0 && region.open(q)) {
+        boolean carried = q >= 0
+                && Math.abs(place.z().orElse(region.elevation(q)) - region.elevation(q))
+                        <= region.actor().stepHeight();
+        if (carried && region.open(q)) {
             return new Standpoint(q, "", List.of());
         }
         String where = String.format(Locale.ROOT, "no path: the %s (%.2f, %.2f) ", name, place.x(), place.y());
         Actor actor = region.actor();
-        double floor = q >= 0 ? region.elevation(q) : place.z().orElse(0);
+        double floor = carried ? region.elevation(q) : place.z().orElse(0);
         Optional<Obstacle> nearest = nearest(scene, actor, place, floor);
         double distance =
                 nearest.map(o -> o.outline().distance(place.x(), place.y())).orElse(Double.POSITIVE_INFINITY);
@@ -34,7 +37,7 @@ record Standpoint(int configuration, String reason, List<String> blockedBy) {
         if (distance == 0) {
             return new Standpoint(-1, where + "lies in '" + nearest.get().name() + "'", ids);
         }
-        if (q < 0) {
+        if (!carried) {
             return new Standpoint(-1, where + "has no floor with room for the actor", List.of());
         }
         double radius = actor.sidestep()

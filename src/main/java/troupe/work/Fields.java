@@ -76,7 +76,7 @@ public final class Fields {
             if (found.isEmpty()) {
                 missing.add(key + ": nothing to show");
             }
-            byLayer(found);
+            byStorey(found);
         }
     }
 
@@ -86,7 +86,7 @@ public final class Fields {
         return engine.overlays().stream().filter(o -> o.key().equals("effort")).toList();
     }
 
-    private void byLayer(List<Overlay> found) {
+    private void byStorey(List<Overlay> found) {
         Map<Integer, List<Overlay>> sorted = new TreeMap<>();
         found.forEach(
                 o -> sorted.computeIfAbsent(o.layer(), k -> new ArrayList<>()).add(o));
@@ -114,7 +114,7 @@ public final class Fields {
         return result;
     }
 
-    /** Returns the overlays, those of one key and layer together, in the order asked for. */
+    /** Returns the overlays, those of one key and storey together, in the order asked for. */
     public List<List<Overlay>> overlays() {
         return List.copyOf(overlays);
     }

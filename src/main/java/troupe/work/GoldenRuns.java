@@ -11,6 +11,7 @@ import troupe.run.Run;
 import troupe.run.RunComparison;
 import troupe.run.RunException;
 import troupe.run.RunFile;
+import troupe.search.Outcome;
 
 /** Runs saved runs again and compares, bit by bit: regression tests that a person can watch. */
 public final class GoldenRuns {
@@ -30,12 +31,26 @@ public final class GoldenRuns {
         return Tasks.start(saved.scene(), saved.task()).finish();
     }
 
-    /** Names the first difference between a saved run and another of the same task; nothing if they are equal. */
+    /**
+     * Names the first difference between a saved run and another of the same task; nothing if they are
+     * equal. Of a saved run that had not ended, or was cancelled, only the frames that are there are compared.
+     */
     public static Optional<String> difference(Run saved, Run fresh) {
+        boolean cut = saved.outcome().isRunning() || saved.outcome().equals(Outcome.CANCELLED);
+        if (cut) {
+            int common = Math.min(saved.frames().count(), fresh.frames().count());
+            return RunComparison.firstDifference(saved.frames(), fresh.frames(), common);
+        }
         if (!saved.outcome().equals(fresh.outcome())) {
-            return Optional.of("outcome: expected " + saved.outcome() + ", found " + fresh.outcome());
+            return Optional.of("outcome: expected " + words(saved.outcome()) + ", found " + words(fresh.outcome()));
         }
         return RunComparison.firstDifference(saved.frames(), fresh.frames());
+    }
+
+    private static String words(Outcome outcome) {
+        return outcome instanceof Outcome.Infeasible none
+                ? outcome.word() + " (" + none.reason() + ")"
+                : outcome.word();
     }
 
     /**

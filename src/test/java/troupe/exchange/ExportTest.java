@@ -32,6 +32,7 @@ import troupe.paint.Theme;
 import troupe.run.Channel;
 import troupe.run.Frames;
 import troupe.run.Run;
+import troupe.scene.AtomicFile;
 import troupe.search.Outcome;
 
 /** Writes a run in every format and reads it back. */
@@ -256,10 +257,10 @@ class ExportTest {
     @Test
     void aFileIsWrittenWholeOrNotAtAll() throws Exception {
         Path target = folder.resolve("x.txt");
-        SafeFile.write(target, out -> out.write(65));
+        AtomicFile.write(target, out -> out.write(65));
         assertThrows(
                 IOException.class,
-                () -> SafeFile.write(target, out -> {
+                () -> AtomicFile.write(target, out -> {
                     out.write(new byte[100_000]);
                     throw new IOException("disk full");
                 }));

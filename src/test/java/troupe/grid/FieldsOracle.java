@@ -15,12 +15,15 @@ final class FieldsOracle {
     private final String message;
     private final int[][] neighbours;
     private final int[][] directions;
+    private final int[] seen;
+    private int search;
 
     FieldsOracle(LegalSteps steps, String message) {
         this.steps = steps;
         this.message = message;
         this.neighbours = new int[steps.size()][];
         this.directions = new int[steps.size()][];
+        this.seen = new int[steps.size()];
         int[] targets = new int[Region.MAX_NEIGHBOURS];
         int[] headings = new int[Region.MAX_NEIGHBOURS];
         for (int q = 0; q < steps.size(); q++) {
@@ -157,21 +160,26 @@ final class FieldsOracle {
     }
 
     /**
-     * Counts the cells of the ridge, goal link excepted, from which two places where the region ends, more
-     * than {@code apart} cells from each other, are equally far but for one cell.
+     * Counts the cells of the ridge, goal link and connectors excepted, and of these the ones from which two
+     * places where the region ends, more than two cells from each other, are equally far but for one cell.
      *
-     * @return the share of such cells
+     * @return both numbers
      */
-    double medialShare(Nf2 fields, double apart, boolean ridgeOnly) {
-        int all = 0;
-        int medial = 0;
+    int[] ridgeAndMedial(Nf2 fields) {
+        int[] counts = new int[2];
         for (int q = 0; q < steps.size(); q++) {
-            if (fields.skeleton(q) && (fields.ridge(q) || !ridgeOnly) && q != fields.goal()) {
-                all++;
-                medial += isMedial(q, apart) ? 1 : 0;
+            if (fields.ridge(q) && q != fields.goal()) {
+                counts[0]++;
+                counts[1] += isMedial(q, 2) ? 1 : 0;
             }
         }
-        return all == 0 ? 1 : (double) medial / all;
+        return counts;
+    }
+
+    /** Checks that 95 % of the ridge is medial. */
+    void checkMedial(Nf2 fields) {
+        int[] counts = ridgeAndMedial(fields);
+        assertTrue(counts[1] >= 0.95 * counts[0], message + ": " + counts[1] + " of " + counts[0] + " are medial");
     }
 
     /** Follows the lowest neighbour from {@code start}; fails if that does not end at the goal. */
@@ -209,6 +217,9 @@ final class FieldsOracle {
 
     private boolean isMedial(int q, double apart) {
         List<int[]> ends = ends(q);
+        if (ends.isEmpty()) {
+            return false;
+        }
         int[] nearest = ends.get(0);
         for (int[] end : ends) {
             nearest = length(end) < length(nearest) ? end : nearest;
@@ -225,12 +236,15 @@ final class FieldsOracle {
         return Math.hypot(v[0], v[1]);
     }
 
-    /** Finds the places where the region ends, as vectors from {@code start}, near the nearest and further. */
+    /**
+     * Finds the places where the region ends that a way leading only onwards from {@code start} comes upon, as
+     * vectors from there, a little further than the nearest. A
+     * diagonal is an end only if two straight steps do not lead to its corner.
+     */
     private List<int[]> ends(int start) {
         List<int[]> ends = new ArrayList<>();
         List<int[]> queue = new ArrayList<>();
-        boolean[] seen = new boolean[steps.size()];
-        seen[start] = true;
+        seen[start] = ++search;
         queue.add(new int[] {start, 0, 0});
         double nearest = Double.POSITIVE_INFINITY;
         for (int head = 0; head < queue.size(); head++) {
@@ -243,13 +257,18 @@ final class FieldsOracle {
                 int d = directions[node[0]][k];
                 present |= 1 << d;
                 int next = neighbours[node[0]][k];
-                if (!seen[next]) {
-                    seen[next] = true;
-                    queue.add(new int[] {next, node[1] + GridFrame.dx(d), node[2] + GridFrame.dy(d)});
+                int[] reached = {next, node[1] + GridFrame.dx(d), node[2] + GridFrame.dy(d)};
+                boolean onwards = Math.hypot(reached[1], reached[2]) >= Math.hypot(node[1], node[2]);
+                if (seen[next] != search && onwards) {
+                    seen[next] = search;
+                    queue.add(reached);
                 }
             }
             for (int d = 0; d < GridFrame.DIRECTIONS; d++) {
-                if ((present >> d & 1) == 0) {
+                if ((present >> d & 1) == 0
+                        && (d < 4
+                                || (present & 1 << d - 4 | present & 1 << (d - 3 & 3)) != 0
+                                        && !goesRound(node[0], d))) {
                     int[] end = {node[1] + GridFrame.dx(d), node[2] + GridFrame.dy(d)};
                     ends.add(end);
                     nearest = Math.min(nearest, length(end));
@@ -257,6 +276,24 @@ final class FieldsOracle {
             }
         }
         return ends;
+    }
+
+    private boolean goesRound(int q, int d) {
+        return leads(q, d - 4, d - 3 & 3) || leads(q, d - 3 & 3, d - 4);
+    }
+
+    private boolean leads(int q, int d, int then) {
+        for (int k = 0; k < neighbours[q].length; k++) {
+            if (directions[q][k] == d) {
+                int next = neighbours[q][k];
+                for (int heading : directions[next]) {
+                    if (heading == then) {
+                        return true;
+                    }
+                }
+            }
+        }
+        return false;
     }
 
     private boolean[] skeleton(Nf2 fields) {

@@ -159,4 +159,13 @@ class SceneXmlTest {
                 Files.readString(Path.of("src/main/resources/troupe/scene/scene.xsd")),
                 Files.readString(Path.of("docs/scene.xsd")));
     }
+
+    @Test
+    void theExampleOfTheManualIsASceneWithoutProblems() throws Exception {
+        String manual = Files.readString(Path.of("docs/scene-format.md"));
+        int from = manual.indexOf("```xml\n") + 7;
+        Scene scene = read(manual.substring(from, manual.indexOf("```", from)));
+        assertEquals(List.of(), SceneChecks.check(scene));
+        assertEquals(3, scene.obstacles().size());
+    }
 }

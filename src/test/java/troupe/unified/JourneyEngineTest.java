@@ -212,6 +212,18 @@ class JourneyEngineTest implements EngineContract {
     }
 
     @Test
+    void saysWhenNoFloorCarriesTheGoal() {
+        Journey up = RIGHT.between(RIGHT.start(), Place.of(9.05, 5.05, 1.5));
+        Run run = plan(scene(Actor.standard("ann"), up));
+        String reason =
+                assertInstanceOf(Outcome.Infeasible.class, run.outcome()).reason();
+        assertTrue(reason.contains("goal") && reason.contains("floor"), reason);
+        Run tight = plan(scene(Actor.standard("ann"), RIGHT.between(RIGHT.start(), Place.of(9.95, 5.05))));
+        reason = assertInstanceOf(Outcome.Infeasible.class, tight.outcome()).reason();
+        assertTrue(reason.contains("edge"), reason);
+    }
+
+    @Test
     void startIsGoal() {
         Run run = plan(scene(Actor.standard("ann"), RIGHT.between(RIGHT.start(), RIGHT.start())));
         assertEquals(Outcome.FOUND, run.outcome());

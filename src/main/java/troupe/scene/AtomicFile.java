@@ -1,4 +1,4 @@
-package troupe.run;
+package troupe.scene;
 
 import java.io.BufferedOutputStream;
 import java.io.IOException;
@@ -19,11 +19,11 @@ import java.nio.file.StandardOpenOption;
 public final class AtomicFile {
     private static final int TRIES = 100;
 
-    /** What writes the content. */
+    /** What writes the content; {@code E} is what it may throw besides. */
     @FunctionalInterface
-    public interface Content {
+    public interface Content<E extends Exception> {
         /** Writes everything; the stream is buffered and closed by the caller. */
-        void writeTo(OutputStream out) throws IOException;
+        void writeTo(OutputStream out) throws IOException, E;
     }
 
     private AtomicFile() {}
@@ -32,7 +32,7 @@ public final class AtomicFile {
      * Writes {@code target}, replacing what is there. If the content cannot be written the target stays as
      * it is and nothing is left beside it.
      */
-    public static void write(Path target, Content content) throws IOException {
+    public static <E extends Exception> void write(Path target, Content<E> content) throws IOException, E {
         Path file = target.toAbsolutePath();
         if (file.getFileName() == null || Files.isDirectory(file)) {
             throw new IOException(target + " is a folder; needs the name of a file");
@@ -53,7 +53,8 @@ public final class AtomicFile {
         throw new IOException("too many unfinished files beside " + target + "; delete those that end in .part");
     }
 
-    private static void fill(FileChannel channel, Path part, Path file, Content content) throws IOException {
+    private static <E extends Exception> void fill(FileChannel channel, Path part, Path file, Content<E> content)
+            throws IOException, E {
         boolean done = false;
         try {
             OutputStream out = new BufferedOutputStream(Channels.newOutputStream(channel), 1 << 16);
