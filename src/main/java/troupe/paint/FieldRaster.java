@@ -11,7 +11,7 @@ import troupe.run.Overlay;
 
 /**
  * Paints a field as an image of one sample for each pixel of the device, so that cells keep sharp edges
- * and patterns keep their size at any zoom. Cost O(pixels shown), whatever the number of cells.
+ * and patterns keep their size at any zoom. Cost O(pixels of the cells that have a value), however many there are.
  */
 final class FieldRaster {
     private static final double CONTINUOUS_OPACITY = 0.85;
@@ -19,21 +19,45 @@ final class FieldRaster {
 
     private final Overlay.Field field;
     private final Theme theme;
+    private final Rectangle2D bounds;
 
-    /** Makes the raster of a field. */
+    /** Makes the raster of a field. Cost O(cells). */
     FieldRaster(Overlay.Field field, Theme theme) {
         this.field = field;
         this.theme = theme;
+        this.bounds = bounds(field);
+    }
+
+    /** Returns the box in metres, y up, of the cells that have a value; empty if none has. */
+    private static Rectangle2D bounds(Overlay.Field field) {
+        GridFrame frame = field.frame();
+        int left = frame.cols();
+        int right = -1;
+        int low = frame.rows();
+        int high = -1;
+        for (int i = 0; i < frame.size(); i++) {
+            if (!Float.isNaN(field.values()[i])) {
+                left = Math.min(left, frame.col(i));
+                right = Math.max(right, frame.col(i));
+                low = Math.min(low, frame.row(i));
+                high = Math.max(high, frame.row(i));
+            }
+        }
+        return new Rectangle2D.Double(
+                frame.originX() + left * frame.cell(),
+                frame.originY() + low * frame.cell(),
+                Math.max(0, right + 1 - left) * frame.cell(),
+                Math.max(0, high + 1 - low) * frame.cell());
     }
 
     /** Paints the part of the field that lies in the clip. */
     void paint(Graphics2D g, Viewport view) {
         GridFrame frame = field.frame();
         Rectangle2D whole = new Rectangle2D.Double(
-                view.px(frame.originX()),
-                view.py(frame.originY() + frame.rows() * frame.cell()),
-                frame.cols() * frame.cell() * view.scale(),
-                frame.rows() * frame.cell() * view.scale());
+                view.px(bounds.getMinX()),
+                view.py(bounds.getMaxY()),
+                bounds.getWidth() * view.scale(),
+                bounds.getHeight() * view.scale());
         Rectangle clip = g.getClipBounds();
         Rectangle seen = (clip == null ? whole : whole.createIntersection(clip)).getBounds();
         if (seen.isEmpty()) {

@@ -16,6 +16,7 @@ public final class OverlayPainter {
     private final Overlay overlay;
     private final Theme theme;
     private final boolean filled;
+    private final FieldRaster raster;
     private final Path2D contours;
 
     /** Makes a painter that fills fields. */
@@ -34,6 +35,7 @@ public final class OverlayPainter {
         boolean lined =
                 overlay instanceof Overlay.Field f && f.scale() instanceof Overlay.Continuous c && c.contour() > 0;
         this.filled = filled || !lined;
+        this.raster = overlay instanceof Overlay.Field field ? new FieldRaster(field, theme) : null;
         this.contours = lined ? contours((Overlay.Field) overlay) : null;
     }
 
@@ -47,7 +49,7 @@ public final class OverlayPainter {
         Graphics2D g = Shapes.smooth(graphics);
         if (overlay instanceof Overlay.Field field) {
             if (filled) {
-                new FieldRaster(field, theme).paint(g, view);
+                raster.paint(g, view);
             }
             if (contours != null) {
                 g.setColor(filled ? theme.color(Tone.TEXT, 0.35) : theme.color(Tone.CONTOUR));
