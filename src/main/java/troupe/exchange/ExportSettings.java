@@ -1,5 +1,6 @@
 package troupe.exchange;
 
+import java.awt.Dimension;
 import java.util.List;
 import troupe.paint.Picture;
 import troupe.paint.Theme;
@@ -66,10 +67,21 @@ public record ExportSettings(double time, int width, double density, double rate
         return new ExportSettings(time, width, density, rate, theme, others);
     }
 
-    /** Returns the picture of a run at the instant of these settings. */
-    Picture picture(Run run) {
-        return Picture.of(run, Math.min(time, run.frames().duration()))
+    /**
+     * Returns the picture of a run at the instant of these settings.
+     *
+     * @throws ExchangeException if it would have more pixels than an image may have
+     */
+    Picture picture(Run run) throws ExchangeException {
+        Picture picture = Picture.of(run, Math.min(time, run.frames().duration()))
                 .with(theme)
                 .with(overlays);
+        Dimension size = picture.size(width);
+        if (size.width * density * size.height * density > Picture.MAX_PIXELS) {
+            throw new ExchangeException(
+                    "picture", 0, 0, size.width + " x " + size.height + " pixels, " + density + " times as large",
+                    "lower the width or the density until it has at most " + Picture.MAX_PIXELS);
+        }
+        return picture;
     }
 }

@@ -8,11 +8,12 @@ import troupe.run.Overlay;
 /**
  * Traces lines of equal value through a field, by linear interpolation between the centres of cells
  * (marching squares; where a square is a saddle its middle decides). A square with a corner that has no
- * value holds no line. Cost O(cells) for each level.
+ * value holds no line. Fields of more than a million cells are thinned first. Cost O(cells) for each level.
  */
 final class Contours {
     private static final int MAX_LEVELS = 200;
     private static final int NONE = -1;
+    private static final int MAX_CELLS = 1 << 20;
 
     private final GridFrame frame;
     private final float[] values;
@@ -23,13 +24,34 @@ final class Contours {
 
     /** Makes a tracer of a field; it holds scratch arrays and serves one thread. */
     Contours(Overlay.Field field) {
-        frame = field.frame();
-        values = field.values();
+        Overlay.Field traced = thinned(field);
+        frame = traced.frame();
+        values = traced.values();
         first = new int[2 * frame.size()];
         second = new int[2 * frame.size()];
         touched = new int[2 * frame.size()];
         Arrays.fill(first, NONE);
         Arrays.fill(second, NONE);
+    }
+
+    /** Takes one cell of each square of cells, so that at most a million are left. */
+    private static Overlay.Field thinned(Overlay.Field field) {
+        GridFrame frame = field.frame();
+        int every = (int) Math.ceil(Math.sqrt((double) frame.size() / MAX_CELLS));
+        if (every <= 1) {
+            return field;
+        }
+        int cols = (frame.cols() + every - 1) / every;
+        int rows = (frame.rows() + every - 1) / every;
+        // the sample lies in the first cell of its square, so the coarse frame begins half a square before
+        double shift = (every - 1) / 2.0 * frame.cell();
+        GridFrame coarse = new GridFrame(
+                frame.originX() - shift, frame.originY() - shift, every * frame.cell(), cols, rows);
+        float[] values = new float[coarse.size()];
+        for (int i = 0; i < values.length; i++) {
+            values[i] = field.values()[frame.index(coarse.col(i) * every, coarse.row(i) * every)];
+        }
+        return new Overlay.Field(field.key(), field.layer(), coarse, values, field.scale());
     }
 
     /** Returns the lines at {@code min + step, min + 2 step, …} below {@code max}, in metres; at most 200 levels. */

@@ -20,6 +20,7 @@ final class ElevationLabels {
     private final Graphics2D g;
     private final Theme theme;
     private final Viewport view;
+    private final Clipping clipping;
     private final Labels labels;
     private final Font font = Theme.font(TEXT_SIZE);
     private final List<Shape> solids = new ArrayList<>();
@@ -29,13 +30,14 @@ final class ElevationLabels {
         this.g = g;
         this.theme = theme;
         this.view = view;
+        this.clipping = new Clipping(g, view);
         this.labels = labels;
     }
 
     /** Keeps texts off movable obstacles, and texts beside an obstacle off everything that stands there. */
     void keepOff(List<ObstacleLook> looks) {
         for (ObstacleLook look : looks) {
-            Shape shape = view.transform().createTransformedShape(look.path());
+            Shape shape = clipping.polygon(look.obstacle().outline());
             solids.add(shape);
             if (look.obstacle().movable()) {
                 labels.take(shape.getBounds2D());
@@ -45,7 +47,7 @@ final class ElevationLabels {
 
     /** Writes the depth of a ditch, if it fits inside. */
     void write(Ditch ditch) {
-        Shape shape = view.transform().createTransformedShape(Shapes.path(ditch.outline()));
+        Shape shape = clipping.polygon(ditch.outline());
         inside(shape, ditch.outline().centroid(), Shapes.metres(-ditch.depth()), theme.color(Tone.TEXT));
     }
 
@@ -54,7 +56,7 @@ final class ElevationLabels {
         Obstacle obstacle = look.obstacle();
         Point centre = obstacle.outline().centroid();
         String number = Shapes.metres(obstacle.top());
-        Shape shape = view.transform().createTransformedShape(look.path());
+        Shape shape = clipping.polygon(look.obstacle().outline());
         Color ink = look.hanging() ? theme.color(Tone.TEXT) : Shapes.ink(look.fill(theme));
         boolean named = !obstacle.label().isEmpty() && inside(shape, centre, obstacle.label() + " " + number, ink);
         if (named || inside(shape, centre, number, ink)) {

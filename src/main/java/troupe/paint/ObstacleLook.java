@@ -1,7 +1,6 @@
 package troupe.paint;
 
 import java.awt.Color;
-import java.awt.geom.Path2D;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -11,12 +10,12 @@ import troupe.geometry.Point;
 import troupe.scene.Obstacle;
 
 /**
- * Says how one obstacle is drawn: in metres, once for a scene.
+ * Says how one obstacle is drawn.
  *
  * @param hanging nothing carries its centre, so that there is room below: drawn see-through
  * @param stair it touches another that is up to a step higher or lower: drawn as part of a stair
  */
-record ObstacleLook(Obstacle obstacle, Path2D path, boolean hanging, boolean stair) {
+record ObstacleLook(Obstacle obstacle, boolean hanging, boolean stair) {
     private static final double TOUCH = 0.02;
     private static final double STEP = 0.3;
     private static final double LOW_FROM = 0.3;
@@ -57,7 +56,7 @@ record ObstacleLook(Obstacle obstacle, Path2D path, boolean hanging, boolean sta
         for (int i = 0; i < n; i++) {
             Obstacle obstacle = obstacles.get(i);
             boolean hanging = obstacle.offset() > 0 && !carried[i];
-            looks.add(new ObstacleLook(obstacle, Shapes.path(obstacle.outline()), hanging, stair[i] && !hanging));
+            looks.add(new ObstacleLook(obstacle, hanging, stair[i] && !hanging));
         }
         looks.sort(Comparator.comparingDouble(l -> l.obstacle.top()));
         return looks;

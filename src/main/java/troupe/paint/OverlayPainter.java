@@ -59,8 +59,9 @@ public final class OverlayPainter {
         } else if (overlay instanceof Overlay.Lines lines) {
             g.setColor(theme.color(lineTone(overlay.key())));
             g.setStroke(Theme.line(1.6f));
+            Clipping clipping = new Clipping(g, view);
             for (double[] line : lines.lines()) {
-                g.draw(Shapes.line(line, 2, view));
+                g.draw(clipping.line(line, 2));
             }
         } else if (overlay instanceof Overlay.Points points) {
             double[] at = points.coordinates();

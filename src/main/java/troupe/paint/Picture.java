@@ -37,6 +37,9 @@ public record Picture(
     /** The largest width in pixels. */
     public static final int MAX_WIDTH = 8_192;
 
+    /** The most pixels that an image may have. */
+    public static final int MAX_PIXELS = 1 << 26;
+
     private static final int MARGIN = 14;
     private static final int GAP = 10;
 
@@ -89,7 +92,7 @@ public record Picture(
         }
         double inner = width - 2.0 * MARGIN;
         double tall = inner * scene.world().depth() / scene.world().width();
-        int height = (int) Math.ceil(Math.max(MIN_WIDTH, Math.min(tall, 2 * inner)));
+        int height = (int) Math.ceil(Double.isNaN(tall) ? inner : Math.max(MIN_WIDTH, Math.min(tall, 2 * inner)));
         return new Dimension(width, 2 * MARGIN + GAP + height + footer(width));
     }
 
@@ -130,6 +133,10 @@ public record Picture(
             throw new IllegalArgumentException("density " + density + "; needs 1 to 4");
         }
         Dimension size = size(width);
+        if (size.width * density * size.height * density > MAX_PIXELS) {
+            throw new IllegalArgumentException("picture of " + size.width + " x " + size.height + " pixels, " + density
+                    + " times as large; needs at most " + MAX_PIXELS + " pixels");
+        }
         return new BufferedImage(
                 (int) Math.round(size.width * density),
                 (int) Math.round(size.height * density),
@@ -169,9 +176,18 @@ public record Picture(
         return new Rectangle2D.Double(0, size.height - MARGIN - footer, size.width, footer);
     }
 
+    /** Returns the ground rectangle; a side that is no length of a drawable world counts as a metre. */
+    private Box world() {
+        return new Box(0, 0, drawable(scene.world().width()), drawable(scene.world().depth()));
+    }
+
+    private static double drawable(double side) {
+        return side > 1e-6 && side < 1e9 ? side : 1;
+    }
+
     private Viewport view(int width) {
         Dimension size = size(width);
-        Box world = new Box(0, 0, scene.world().width(), scene.world().depth());
+        Box world = world();
         double height = size.height - 2.0 * MARGIN - GAP - footer(width);
         return Viewport.fit(world, MARGIN, MARGIN, size.width - 2.0 * MARGIN, height);
     }

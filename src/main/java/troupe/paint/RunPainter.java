@@ -58,12 +58,13 @@ public final class RunPainter {
     /** Paints the legs. */
     public void paintLegs(Graphics2D graphics, Viewport view) {
         Graphics2D g = Shapes.smooth(graphics);
+        Clipping clipping = new Clipping(g, view);
         g.setColor(theme.color(Tone.FLOOR, 0.9));
         g.setStroke(Theme.line(Theme.PATH_WIDTH + 2.6f));
         for (Drawn leg : legs) {
             for (Cover.Part part : leg.parts()) {
                 if (!part.covered()) {
-                    g.draw(Shapes.line(part.coordinates(), 2, view));
+                    g.draw(clipping.line(part.coordinates(), 2));
                 }
             }
         }
@@ -76,7 +77,7 @@ public final class RunPainter {
                 double opacity = part.covered() ? COVERED_OPACITY : 1;
                 g.setColor(new Color(
                         colour.getRed(), colour.getGreen(), colour.getBlue(), (int) Math.round(255 * opacity)));
-                g.draw(Shapes.line(part.coordinates(), 2, view));
+                g.draw(clipping.line(part.coordinates(), 2));
             }
         }
         g.dispose();

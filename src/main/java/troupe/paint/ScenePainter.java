@@ -4,12 +4,12 @@ import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.Shape;
-import java.awt.geom.AffineTransform;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Set;
+import troupe.geometry.Polygon;
 import troupe.scene.Ditch;
 import troupe.scene.Obstacle;
 import troupe.scene.Scene;
@@ -22,6 +22,7 @@ import troupe.scene.World;
  */
 public final class ScenePainter {
     private static final double GRID_PIXELS = 20;
+    private static final int MAX_LINES = 5_000;
     private static final double HANGING_OPACITY = 0.5;
     private static final double ABOVE_OPACITY = 0.12;
     private static final double GRAIN_SPACING = 8;
@@ -82,14 +83,14 @@ public final class ScenePainter {
     public void paintGround(Graphics2D graphics, Viewport view) {
         Graphics2D g = Shapes.smooth(graphics);
         World world = scene.world();
-        Rectangle2D floor = new Rectangle2D.Double(
-                view.px(0), view.py(world.depth()), world.width() * view.scale(), world.depth() * view.scale());
+        Clipping clipping = new Clipping(g, view);
+        Polygon ground = Polygon.rectangle(0, 0, side(world.width()), side(world.depth()));
+        Rectangle2D floor = clipping.polygon(ground).getBounds2D();
         g.setColor(theme.color(Tone.FLOOR));
         g.fill(floor);
         paintGrid(g, view, floor);
-        AffineTransform toPixels = view.transform();
         for (Ditch ditch : ditches) {
-            Shape shape = toPixels.createTransformedShape(Shapes.path(ditch.outline()));
+            Shape shape = clipping.polygon(ditch.outline());
             g.setColor(theme.color(Tone.DITCH, 0.8));
             g.fill(shape);
             g.setColor(theme.color(Tone.DITCH_EDGE));
@@ -102,11 +103,15 @@ public final class ScenePainter {
         g.dispose();
     }
 
+    private static double side(double metres) {
+        return metres > 0 ? metres : 0;
+    }
+
     private void paintGrid(Graphics2D g, Viewport view, Rectangle2D floor) {
         double step = ScaleBar.nice(GRID_PIXELS / view.scale());
         Rectangle clip = g.getClipBounds();
         Rectangle2D seen = clip == null ? floor : floor.createIntersection(clip);
-        if (seen.isEmpty()) {
+        if (seen.isEmpty() || !(seen.getWidth() + seen.getHeight() < MAX_LINES * GRID_PIXELS)) {
             return;
         }
         Path2D lines = new Path2D.Double();
@@ -128,10 +133,10 @@ public final class ScenePainter {
     /** Paints the obstacles, lowest top first. */
     public void paintObstacles(Graphics2D graphics, Viewport view) {
         Graphics2D g = Shapes.smooth(graphics);
-        AffineTransform toPixels = view.transform();
+        Clipping clipping = new Clipping(g, view);
         Rectangle clip = g.getClipBounds();
         for (ObstacleLook look : looks) {
-            Shape shape = toPixels.createTransformedShape(look.path());
+            Shape shape = clipping.polygon(look.obstacle().outline());
             if (clip == null || shape.getBounds2D().intersects(grown(clip))) {
                 paintObstacle(g, look, shape);
             }
@@ -175,15 +180,15 @@ public final class ScenePainter {
     /** Paints the outlines of ditches and obstacles alone, to show them through a field. */
     public void paintOutlines(Graphics2D graphics, Viewport view) {
         Graphics2D g = Shapes.smooth(graphics);
-        AffineTransform toPixels = view.transform();
+        Clipping clipping = new Clipping(g, view);
         g.setColor(theme.color(Tone.DITCH_EDGE));
         g.setStroke(Theme.line(1));
         for (Ditch ditch : ditches) {
-            g.draw(toPixels.createTransformedShape(Shapes.path(ditch.outline())));
+            g.draw(clipping.polygon(ditch.outline()));
         }
         for (ObstacleLook look : looks) {
             if (!above(look)) {
-                paintOutline(g, look, toPixels.createTransformedShape(look.path()));
+                paintOutline(g, look, clipping.polygon(look.obstacle().outline()));
             }
         }
         g.dispose();

@@ -10,7 +10,6 @@ import java.awt.geom.PathIterator;
 import java.awt.geom.Rectangle2D;
 import java.util.Arrays;
 import java.util.Locale;
-import troupe.geometry.Polygon;
 
 /** Makes the shapes, numbers and colours that the painters share. */
 final class Shapes {
@@ -27,33 +26,6 @@ final class Shapes {
         copy.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
         copy.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_NEAREST_NEIGHBOR);
         return copy;
-    }
-
-    /** Returns the outline of a polygon as a path in metres, even-odd. */
-    static Path2D path(Polygon polygon) {
-        Path2D path = new Path2D.Double(Path2D.WIND_EVEN_ODD, polygon.size() + 1);
-        for (int i = 0; i < polygon.size(); i++) {
-            if (i == 0) {
-                path.moveTo(polygon.x(i), polygon.y(i));
-            } else {
-                path.lineTo(polygon.x(i), polygon.y(i));
-            }
-        }
-        path.closePath();
-        return path;
-    }
-
-    /** Returns the open path in pixels through {@code values[k * stride], values[k * stride + 1]} in metres. */
-    static Path2D line(double[] values, int stride, Viewport view) {
-        Path2D path = new Path2D.Double();
-        for (int k = 0; k + stride <= values.length; k += stride) {
-            if (k == 0) {
-                path.moveTo(view.px(values[k]), view.py(values[k + 1]));
-            } else {
-                path.lineTo(view.px(values[k]), view.py(values[k + 1]));
-            }
-        }
-        return path;
     }
 
     /** Returns parallel lines inside a shape of straight edges, {@code spacing} pixels apart, tied to its centre. */

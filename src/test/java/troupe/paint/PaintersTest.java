@@ -6,10 +6,12 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Color;
+import java.awt.Graphics2D;
 import java.awt.Shape;
 import java.awt.geom.Path2D;
 import java.awt.geom.PathIterator;
 import java.awt.geom.Rectangle2D;
+import java.awt.image.BufferedImage;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
@@ -51,7 +53,8 @@ class PaintersTest {
 
     @Test
     void hatchStaysInsideAConcaveOutline() {
-        Shape shape = Shapes.path(Polygon.of(0, 0, 100, 0, 100, 100, 60, 100, 60, 40, 40, 40, 40, 100, 0, 100));
+        Shape shape = new Clipping(graphics(), new Viewport(0, 0, 1))
+                .polygon(Polygon.of(0, 0, 100, 0, 100, 100, 60, 100, 60, 40, 40, 40, 40, 100, 0, 100));
         Path2D hatch = Shapes.hatch(shape, 7);
         double[] at = new double[6];
         double[] from = new double[2];
@@ -67,6 +70,29 @@ class PaintersTest {
             from[1] = at[1];
         }
         assertTrue(lines > 20, lines + " lines");
+    }
+
+    private static Graphics2D graphics() {
+        return new BufferedImage(10, 10, BufferedImage.TYPE_INT_RGB).createGraphics();
+    }
+
+    @Test
+    void clippingCutsToTheSurroundingsOfWhatIsSeen() {
+        Graphics2D g = graphics();
+        g.setClip(0, 0, 100, 100);
+        Clipping clipping = new Clipping(g, new Viewport(0, 0, 1));
+        Path2D triangle = clipping.polygon(Polygon.of(-1e300, -50, 1e300, -50, 1e300, 1e300));
+        assertEquals(new Rectangle2D.Double(-4000, -4000, 8100, 4050), triangle.getBounds2D());
+        assertTrue(clipping.polygon(Polygon.of(5000, 0, 6000, 0, 6000, 9)).getBounds2D().isEmpty());
+        assertEquals(
+                new Rectangle2D.Double(-4000, 50, 8100, 0),
+                clipping.line(new double[] {-1e9, -50, 1e9, -50}, 2).getBounds2D());
+        Path2D twice = clipping.line(new double[] {0, 0, 0, 9e5, 50, 9e5, 50, 0, 60, 0}, 2);
+        int begins = 0;
+        for (PathIterator it = twice.getPathIterator(null); !it.isDone(); it.next()) {
+            begins += it.currentSegment(new double[6]) == PathIterator.SEG_MOVETO ? 1 : 0;
+        }
+        assertEquals(2, begins, "out at the top, in again");
     }
 
     @Test
