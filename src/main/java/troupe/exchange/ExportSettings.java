@@ -79,7 +79,10 @@ public record ExportSettings(double time, int width, double density, double rate
         Dimension size = picture.size(width);
         if (size.width * density * size.height * density > Picture.MAX_PIXELS) {
             throw new ExchangeException(
-                    "picture", 0, 0, size.width + " x " + size.height + " pixels, " + density + " times as large",
+                    "picture",
+                    0,
+                    0,
+                    size.width + " x " + size.height + " pixels, " + density + " times as large",
                     "lower the width or the density until it has at most " + Picture.MAX_PIXELS);
         }
         return picture;

@@ -45,8 +45,8 @@ final class Contours {
         int rows = (frame.rows() + every - 1) / every;
         // the sample lies in the first cell of its square, so the coarse frame begins half a square before
         double shift = (every - 1) / 2.0 * frame.cell();
-        GridFrame coarse = new GridFrame(
-                frame.originX() - shift, frame.originY() - shift, every * frame.cell(), cols, rows);
+        GridFrame coarse =
+                new GridFrame(frame.originX() - shift, frame.originY() - shift, every * frame.cell(), cols, rows);
         float[] values = new float[coarse.size()];
         for (int i = 0; i < values.length; i++) {
             values[i] = field.values()[frame.index(coarse.col(i) * every, coarse.row(i) * every)];

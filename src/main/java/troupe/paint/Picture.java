@@ -178,7 +178,8 @@ public record Picture(
 
     /** Returns the ground rectangle; a side that is no length of a drawable world counts as a metre. */
     private Box world() {
-        return new Box(0, 0, drawable(scene.world().width()), drawable(scene.world().depth()));
+        return new Box(
+                0, 0, drawable(scene.world().width()), drawable(scene.world().depth()));
     }
 
     private static double drawable(double side) {

@@ -20,8 +20,21 @@ import troupe.scene.World;
 /** Paints scenes full of mistakes: the studio shows a scene while it is being mended. */
 class HostileScenesTest {
     private static final double[] ODD = {
-        0, -0.0, 1, -1, 3.7, 1e-9, 1e6, -1e6, 1e15, Double.MIN_VALUE, 1e300, -1e300, Double.MAX_VALUE,
-        Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY
+        0,
+        -0.0,
+        1,
+        -1,
+        3.7,
+        1e-9,
+        1e6,
+        -1e6,
+        1e15,
+        Double.MIN_VALUE,
+        1e300,
+        -1e300,
+        Double.MAX_VALUE,
+        Double.POSITIVE_INFINITY,
+        Double.NEGATIVE_INFINITY
     };
 
     private final long seed = Long.getLong("troupe.seed", 77);

@@ -83,7 +83,9 @@ class PaintersTest {
         Clipping clipping = new Clipping(g, new Viewport(0, 0, 1));
         Path2D triangle = clipping.polygon(Polygon.of(-1e300, -50, 1e300, -50, 1e300, 1e300));
         assertEquals(new Rectangle2D.Double(-4000, -4000, 8100, 4050), triangle.getBounds2D());
-        assertTrue(clipping.polygon(Polygon.of(5000, 0, 6000, 0, 6000, 9)).getBounds2D().isEmpty());
+        assertTrue(clipping.polygon(Polygon.of(5000, 0, 6000, 0, 6000, 9))
+                .getBounds2D()
+                .isEmpty());
         assertEquals(
                 new Rectangle2D.Double(-4000, 50, 8100, 0),
                 clipping.line(new double[] {-1e9, -50, 1e9, -50}, 2).getBounds2D());
