@@ -11,19 +11,25 @@ import troupe.work.Window;
 
 /** Lets the studio be found as the program's window. */
 public final class StudioFront implements Window {
+    private static final Path SOCKETS = Path.of("/tmp/.X11-unix");
 
     /** Makes the front; nothing is opened yet. */
     public StudioFront() {}
 
+    /** {@inheritDoc} Where there is none, the process draws without a display from now on. */
     @Override
     public boolean available() {
+        String display = System.getenv("DISPLAY");
+        if (display != null && !display.isEmpty() && !XDisplay.answers(display, SOCKETS)) {
+            System.setProperty("java.awt.headless", "true");
+        }
         if (GraphicsEnvironment.isHeadless()) {
             return false;
         }
         try {
             return GraphicsEnvironment.getLocalGraphicsEnvironment().getScreenDevices().length > 0;
         } catch (HeadlessException | AWTError | LinkageError e) {
-            // a display is named, but it does not answer, or this Java has no window toolkit
+            // the display does not let this process in, or this Java has no window toolkit
             return false;
         }
     }

@@ -8,6 +8,10 @@ public final class Troupe {
 
     /** Runs a command; see {@code --help}. The process ends with the command's exit code. */
     public static void main(String[] arguments) {
+        boolean opens = arguments.length == 0 || arguments[0].equals("open");
+        if (!opens && System.getProperty("java.awt.headless") == null) {
+            System.setProperty("java.awt.headless", "true");
+        }
         int code;
         try (Interruption interruption = new Interruption()) {
             CommandLine line = new CommandLine(all(), new DefaultCommand(OpenCommand::window));
