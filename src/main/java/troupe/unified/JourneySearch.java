@@ -221,11 +221,9 @@ public final class JourneySearch implements Expander {
     }
 
     private void install(int configuration, int parent, long cost, double used, int begin, long parentKey) {
-        if (priority.key(configuration, cost) < Priority.NEVER) {
-            int label = chains.install(configuration, parent, cost, used, begin);
-            if (label != LabelPool.NONE) {
-                put(label, parentKey);
-            }
+        int label = chains.install(configuration, parent, cost, used, begin);
+        if (label != LabelPool.NONE) {
+            put(label, parentKey);
         }
     }
 
