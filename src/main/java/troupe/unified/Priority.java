@@ -40,8 +40,7 @@ interface Priority {
      * Orders as published: {@code a} times the potential in metres plus {@code b} times the cost in J
      * (Unified section 7). The key is the bits of that sum, which order like the numbers from 0.
      */
-    record Published(JourneyQuery.Potential potential, JourneyCosts costs, Ordering.Paper weights)
-            implements Priority {
+    record Published(JourneyQuery.Potential potential, JourneyCosts costs, Ordering.Paper weights) implements Priority {
         @Override
         public long key(int configuration, long cost) {
             double metres = potential.at(configuration);

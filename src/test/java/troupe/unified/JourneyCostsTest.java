@@ -49,8 +49,7 @@ class JourneyCostsTest {
         assertTrue(costs.unitBits() < 32);
         assertTrue(vault < (1L << 62) >> 24, "2^24 of the dearest steps fit");
         String message = assertThrows(
-                        IllegalArgumentException.class,
-                        () -> standard(Preferences.NEUTRAL.with(Ability.VAULT, 1e14)))
+                        IllegalArgumentException.class, () -> standard(Preferences.NEUTRAL.with(Ability.VAULT, 1e14)))
                 .getMessage();
         assertTrue(message.contains("1e12"), message);
     }
@@ -69,9 +68,8 @@ class JourneyCostsTest {
 
     @Test
     void anAbilitySwitchedOffCannotBeUsed() {
-        JourneyCosts costs = standard(Preferences.NEUTRAL
-                .with(Ability.SIDESTEP, Preferences.OFF)
-                .with(Ability.VAULT, Preferences.OFF));
+        JourneyCosts costs = standard(
+                Preferences.NEUTRAL.with(Ability.SIDESTEP, Preferences.OFF).with(Ability.VAULT, Preferences.OFF));
         assertFalse(costs.has(Ability.SIDESTEP));
         assertEquals(JourneyCosts.BLOCKED, costs.standing(SIDESTEP, 0));
         assertEquals(JourneyCosts.BLOCKED, costs.crossing(Kind.JUMPABLE, 0));
