@@ -171,8 +171,8 @@ class SvgOracleTest {
         Graphics2D inner = (Graphics2D) g.create();
         inner.transform(transform(text));
         inner.translate(Double.parseDouble(text.getAttribute("x")), Double.parseDouble(text.getAttribute("y")));
-        inner.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, 1)
-                .deriveFont(Float.parseFloat(text.getAttribute("font-size"))));
+        inner.setFont(
+                new Font(Font.SANS_SERIF, Font.PLAIN, 1).deriveFont(Float.parseFloat(text.getAttribute("font-size"))));
         double natural = inner.getFontMetrics()
                 .getStringBounds(text.getTextContent(), inner)
                 .getWidth();
@@ -184,7 +184,8 @@ class SvgOracleTest {
 
     private static void image(Graphics2D g, Element image) throws IOException {
         String data = image.getAttribute("href").replace("data:image/png;base64,", "");
-        BufferedImage picture = ImageIO.read(new ByteArrayInputStream(Base64.getDecoder().decode(data)));
+        BufferedImage picture =
+                ImageIO.read(new ByteArrayInputStream(Base64.getDecoder().decode(data)));
         AffineTransform place = transform(image);
         place.scale(
                 Double.parseDouble(image.getAttribute("width")) / picture.getWidth(),
