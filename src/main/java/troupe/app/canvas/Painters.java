@@ -62,7 +62,8 @@ final class Painters implements AutoCloseable {
     private Prepared prepare(Plan plan, Set<String> keys, int layer) {
         List<Overlay> shown = plan.overlays().stream()
                 .filter(o -> keys.contains(o.key()))
-                .filter(o -> layer == OverlayChoice.ALL_LAYERS ? leads(plan, o) : o.layer() == layer)
+                .filter(o -> layer == OverlayChoice.ALL_LAYERS || o.layer() == layer)
+                .map(o -> leading(plan, o))
                 .toList();
         boolean filled = shown.stream().map(Overlay::key).distinct().count() == 1;
         List<OverlayPainter> painters = shown.stream()
@@ -80,11 +81,25 @@ final class Painters implements AutoCloseable {
         return new Prepared(run.map(r -> new RunPainter(r, look.theme())), painters, field, legend);
     }
 
-    /** Tells whether a view is worth showing among all layers: lines only where a way leads to the goal. */
-    private static boolean leads(Plan plan, Overlay overlay) {
-        return !(overlay instanceof Overlay.Lines)
-                || plan.overlays().stream().noneMatch(o -> o.key().equals("potential"))
-                || plan.overlays().stream().anyMatch(o -> o.key().equals("potential") && o.layer() == overlay.layer());
+    /** Returns a view without the lines that lie where no way leads to the goal, such as on the tops of walls. */
+    private static Overlay leading(Plan plan, Overlay overlay) {
+        if (!(overlay instanceof Overlay.Lines lines)
+                || plan.overlays().stream().noneMatch(o -> o.key().equals("potential"))) {
+            return overlay;
+        }
+        Optional<Overlay> potential = plan.overlays().stream()
+                .filter(o -> o.key().equals("potential") && o.layer() == lines.layer())
+                .findFirst();
+        List<double[]> leading = lines.lines().stream()
+                .filter(line -> potential.isPresent() && leads((Overlay.Field) potential.get(), line))
+                .toList();
+        return new Overlay.Lines(lines.key(), lines.layer(), leading);
+    }
+
+    private static boolean leads(Overlay.Field potential, double[] line) {
+        int middle = line.length / 4 * 2;
+        int cell = potential.frame().cellAt(line[middle], line[middle + 1]);
+        return cell >= 0 && Float.isFinite(potential.values()[cell]);
     }
 
     /** Returns one view for the legend out of those of several layers: with every word that one of them uses. */

@@ -80,6 +80,7 @@ record OutlineRow(
             rows.add(layer(look.text("outline.layers.all"), "", look.color(Tone.STEP), OverlayChoice.ALL_LAYERS));
         }
         IntStream.range(0, layers.size())
+                .filter(i -> layers.size() == 1 || layers.get(i).cells() > 0)
                 .boxed()
                 .sorted(Comparator.comparingInt(i -> -layers.get(i).cells()))
                 .limit(LAYERS)

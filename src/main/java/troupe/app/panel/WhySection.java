@@ -39,11 +39,12 @@ final class WhySection extends Panel {
 
     private void refresh() {
         Rows rows = new Rows(this, look());
-        rows.heading(look().text("inspector.why"));
         Optional<Run> run = session().run();
+        boolean found = run.isEmpty() || run.get().outcome().isFound();
+        rows.heading(look().text(found ? "inspector.why" : "inspector.why.not"));
         if (run.isEmpty()) {
             rows.wide(look().label(look().text("why.nothing"), Tone.DIM), 0);
-        } else if (!run.get().outcome().isFound()) {
+        } else if (!found) {
             rows.wide(new Note(PlanWords.outcome(run.get().outcome(), look().texts())), 0);
         } else {
             rows.wide(new EnergyBar(Figures.energyByAbility(run.get())), 9);

@@ -1,6 +1,7 @@
 package troupe.app.plan;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
 import troupe.grid.GridFrame;
@@ -22,7 +23,7 @@ public record Views(List<Overlay> overlays, List<Layer> layers) {
     /**
      * One layer.
      *
-     * @param on the id of the obstacle or ditch whose floor is its lowest one, empty for the ground
+     * @param on the id of the obstacle or ditch that its middle floor belongs to, empty for the ground
      * @param lowest its lowest floor in metres, {@code highest} its highest; NaN where they are not known
      * @param cells how many cells it has
      */
@@ -52,24 +53,26 @@ public record Views(List<Overlay> overlays, List<Layer> layers) {
     }
 
     private static Layer layer(Scene scene, Overlay.Field elevation) {
-        int lowest = -1;
-        int cells = 0;
-        double highest = Double.NEGATIVE_INFINITY;
         float[] values = elevation.values();
-        for (int i = 0; i < values.length; i++) {
-            if (!Float.isNaN(values[i])) {
-                cells++;
-                lowest = lowest < 0 || values[i] < values[lowest] ? i : lowest;
-                highest = Math.max(highest, values[i]);
+        int cells = 0;
+        float[] floors = new float[values.length];
+        for (float value : values) {
+            if (!Float.isNaN(value)) {
+                floors[cells++] = value;
             }
         }
-        if (lowest < 0) {
+        if (cells == 0) {
             return Layer.UNKNOWN;
         }
+        Arrays.sort(floors, 0, cells);
+        float middle = floors[cells / 2];
+        int at = 0;
+        while (values[at] != middle) {
+            at++;
+        }
         GridFrame frame = elevation.frame();
-        double x = frame.centreX(frame.col(lowest));
-        double y = frame.centreY(frame.row(lowest));
-        return new Layer(on(scene, x, y, values[lowest]), values[lowest], highest, cells);
+        String on = on(scene, frame.centreX(frame.col(at)), frame.centreY(frame.row(at)), middle);
+        return new Layer(on, floors[0], floors[cells - 1], cells);
     }
 
     private static String on(Scene scene, double x, double y, double floor) {

@@ -10,7 +10,7 @@ import troupe.scene.Scene;
 import troupe.search.Outcome;
 
 /** An engine that does a given number of steps and then ends as found; a step may do something. */
-final class ScriptedEngine implements Engine {
+public final class ScriptedEngine implements Engine {
     private final Scene scene;
     private final String task;
     private final int steps;
@@ -19,7 +19,8 @@ final class ScriptedEngine implements Engine {
     private int done;
     private Outcome outcome = Outcome.RUNNING;
 
-    ScriptedEngine(Scene scene, String task, int steps, List<Run.Leg> legs, Runnable each) {
+    /** Makes an engine of {@code steps} steps, each of which runs {@code each}, that ends with these legs. */
+    public ScriptedEngine(Scene scene, String task, int steps, List<Run.Leg> legs, Runnable each) {
         this.scene = scene;
         this.task = task;
         this.steps = steps;
