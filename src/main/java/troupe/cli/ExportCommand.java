@@ -10,9 +10,11 @@ import troupe.exchange.ExportSettings;
 import troupe.exchange.Exporter;
 import troupe.exchange.Formats;
 import troupe.paint.Theme;
+import troupe.run.Overlay;
 import troupe.run.Run;
 import troupe.run.RunException;
 import troupe.run.RunFile;
+import troupe.work.Fields;
 
 /** Writes a saved run in another format. */
 final class ExportCommand implements Command {
@@ -24,7 +26,7 @@ final class ExportCommand implements Command {
 
     @Override
     public String usage() {
-        return "FILE.run --format F -o FILE [--at T] [--width N] [--rate N] [--dark]";
+        return "FILE.run --format F -o FILE [--at T] [--width N] [--rate N] [--show A,B] [--dark]";
     }
 
     @Override
@@ -40,6 +42,7 @@ final class ExportCommand implements Command {
                 Option.of("--at", "T", "the time in seconds of a single picture; without it the start"),
                 Option.of("--width", "N", "width of a picture in pixels"),
                 Option.of("--rate", "N", "pictures for each second of an animation"),
+                Option.of("--show", "A,B,C", "views to lay over the scene in pictures, as in troupe fields"),
                 Option.flag("--dark", "pictures in the dark theme"));
     }
 
@@ -60,7 +63,7 @@ final class ExportCommand implements Command {
         Exporter exporter = exporter(arguments, target);
         ExportSettings settings = settings(arguments);
         Run run = RunFile.read(file);
-        Pictures.export(exporter, run, settings, target, terminal);
+        Pictures.export(exporter, run, settings.with(views(run, arguments)), target, terminal);
         return CommandLine.OK;
     }
 
@@ -78,6 +81,15 @@ final class ExportCommand implements Command {
                         + String.join(
                                 ", ",
                                 Formats.exporters().stream().map(Exporter::name).toList())));
+    }
+
+    private static List<Overlay> views(Run run, Arguments arguments) throws UsageException {
+        if (!arguments.has("--show")) {
+            return List.of();
+        }
+        return Fields.of(run.scene(), run.task(), FieldsCommand.keys(arguments)).overlays().stream()
+                .flatMap(List::stream)
+                .toList();
     }
 
     private static ExportSettings settings(Arguments arguments) throws UsageException {

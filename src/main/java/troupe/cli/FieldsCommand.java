@@ -76,7 +76,8 @@ final class FieldsCommand implements Command {
         return CommandLine.OK;
     }
 
-    private static List<String> keys(Arguments arguments) throws UsageException {
+    /** Returns the keys after {@code --show}; all of them without it. */
+    static List<String> keys(Arguments arguments) throws UsageException {
         if (!arguments.has("--show")) {
             return Fields.KEYS;
         }

@@ -76,6 +76,9 @@ public record ExportSettings(double time, int width, double density, double rate
         Picture picture = Picture.of(run, Math.min(time, run.frames().duration()))
                 .with(theme)
                 .with(overlays);
+        // a field fills the scene only where it is the one thing to look at
+        boolean several = overlays.stream().map(Overlay::key).distinct().count() > 1;
+        picture = several ? picture.outlined() : picture;
         Dimension size = picture.size(width);
         if (size.width * density * size.height * density > Picture.MAX_PIXELS) {
             throw new ExchangeException(

@@ -268,6 +268,13 @@ class CommandLineTest {
         Path svg = folder.resolve("a.svg");
         assertEquals(0, session.run("export", file, "-o", svg.toString()).code());
         assertTrue(Files.readString(svg).contains("<svg"));
+        assertFalse(Files.readString(svg).contains(">skeleton<"));
+        String views = "potential,skeleton";
+        assertEquals(
+                0,
+                session.run("export", file, "--show", views, "-o", svg.toString())
+                        .code());
+        assertTrue(Files.readString(svg).contains(">skeleton<"), "the legend names the view");
     }
 
     @Test
