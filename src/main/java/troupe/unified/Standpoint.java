@@ -29,36 +29,46 @@ record Standpoint(int configuration, String reason, List<String> blockedBy) {
         }
         String where = String.format(Locale.ROOT, "no path: the %s (%.2f, %.2f) ", name, place.x(), place.y());
         Actor actor = region.actor();
-        double floor = carried ? region.elevation(q) : place.z().orElse(0);
-        Optional<Obstacle> nearest = nearest(scene, actor, place, floor);
-        double distance =
-                nearest.map(o -> o.outline().distance(place.x(), place.y())).orElse(Double.POSITIVE_INFINITY);
-        List<String> ids = nearest.map(o -> List.of(o.id())).orElse(List.of());
-        if (distance == 0) {
-            return new Standpoint(-1, where + "lies in '" + nearest.get().name() + "'", ids);
+        Near asked = Near.of(scene, actor, place, place.z().orElse(0));
+        if (asked.metres() == 0) {
+            return new Standpoint(-1, where + "lies in '" + asked.name() + "'", asked.ids());
         }
         if (!carried) {
             return new Standpoint(-1, where + "has no floor with room for the actor", List.of());
         }
+        Near there = Near.of(scene, actor, place, region.elevation(q));
         double radius = actor.sidestep()
                 .map(s -> Math.min(s.radius(), actor.walk().radius()))
                 .orElse(actor.walk().radius());
-        if (distance < radius + region.frame().cell()) {
-            return new Standpoint(-1, where + "is too near to '" + nearest.get().name() + "'", ids);
+        if (there.metres() < radius + region.frame().cell()) {
+            return new Standpoint(-1, where + "is too near to '" + there.name() + "'", there.ids());
         }
         return new Standpoint(-1, where + "is too near to the edge of the world or over a drop", List.of());
     }
 
-    private static Optional<Obstacle> nearest(Scene scene, Actor actor, Place place, double floor) {
-        Obstacle nearest = null;
-        double least = Double.POSITIVE_INFINITY;
-        for (Obstacle o : scene.obstacles()) {
-            double distance = o.outline().distance(place.x(), place.y());
-            if (distance < least && o.top() > floor + actor.stepHeight() && o.offset() < floor + actor.bodyHeight()) {
-                least = distance;
-                nearest = o;
+    /** The obstacle nearest to a place among those that a body standing on a floor there would meet. */
+    private record Near(Optional<Obstacle> obstacle, double metres) {
+        static Near of(Scene scene, Actor actor, Place place, double floor) {
+            Obstacle nearest = null;
+            double least = Double.POSITIVE_INFINITY;
+            for (Obstacle o : scene.obstacles()) {
+                double distance = o.outline().distance(place.x(), place.y());
+                if (distance < least
+                        && o.top() > floor + actor.stepHeight()
+                        && o.offset() < floor + actor.bodyHeight()) {
+                    least = distance;
+                    nearest = o;
+                }
             }
+            return new Near(Optional.ofNullable(nearest), least);
         }
-        return Optional.ofNullable(nearest);
+
+        String name() {
+            return obstacle.map(Obstacle::name).orElse("");
+        }
+
+        List<String> ids() {
+            return obstacle.map(o -> List.of(o.id())).orElse(List.of());
+        }
     }
 }
