@@ -23,6 +23,8 @@ import troupe.unified.SweptBody.Line;
 final class Smoothing {
     /** Length in metres of the slope from one floor to the next. */
     private static final double SLOPE = 0.15;
+    /** Trials along a step for the place where the feet change floors. */
+    private static final int CHANGES = 8;
 
     private final Region region;
     private final SweptBody body;
@@ -35,25 +37,64 @@ final class Smoothing {
     /**
      * Returns the smoothed line, {@code x, y, z} in metres, of a part of a path that is travelled with one
      * ability on spans; it keeps both ends. Where the floor changes the feet keep to the higher floor all
-     * along the step and rise, or sink, within {@link #SLOPE} metres before, or after it.
+     * along the step and rise, or sink, within {@link #SLOPE} metres before, or after it; where head room
+     * forbids that they change floors farther up the step.
      *
      * @param path configurations of spans, each a neighbour of the one before
      */
     List<double[]> smoothed(int[] path, Ability ability) {
         List<double[]> points = new ArrayList<>();
         int begin = 0;
+        double before = region.elevation(path[0]);
         for (int i = 1; i <= path.length; i++) {
-            if (i == path.length || !isAlike(path[begin], path[i])) {
-                double floor = region.elevation(path[begin]);
-                double entry = begin == 0 ? floor : Math.max(floor, region.elevation(path[begin - 1]));
-                double exit = i == path.length ? floor : Math.max(floor, region.elevation(path[i]));
-                addLevel(points, taut(path, begin, i, ability), floor, entry, exit);
-                begin = i;
+            if (i < path.length && isAlike(path[begin], path[i])) {
+                continue;
             }
+            double floor = region.elevation(path[begin]);
+            double after = i == path.length ? floor : region.elevation(path[i]);
+            double share = floor == after ? 0 : change(path[i - 1], path[i], ability);
+            List<Point> line = taut(path, begin, i, ability);
+            addLevel(points, line, new Level(floor, before, share == 0 ? after : floor));
+            if (share > 0) {
+                Point at = between(path[i - 1], path[i], floor < after ? share : 1 - share);
+                add(points, at, floor);
+                add(points, at, after);
+            }
+            before = share == 0 ? floor : after;
+            begin = i;
         }
         settle(points, 0, region.elevation(path[0]));
         settle(points, points.size() - 1, region.elevation(path[path.length - 1]));
         return points;
+    }
+
+    /** Returns the share of a step, from its lower end, at which the feet change floors: the least that leaves room. */
+    private double change(int from, int to, Ability ability) {
+        boolean rises = region.elevation(from) < region.elevation(to);
+        int lower = rises ? from : to;
+        int upper = rises ? to : from;
+        double radius = body.radius(ability);
+        double step = between(lower, upper, 0).distance(between(lower, upper, 1));
+        double least = Math.sqrt(Math.max(0, radius * radius - step * step / 4));
+        for (int k = 0; k <= CHANGES; k++) {
+            double share = k / (double) CHANGES;
+            Point at = between(lower, upper, share);
+            if (body.fits(line(between(lower, upper, 0), at), region.elevation(lower), least)
+                    && body.fits(line(at, between(lower, upper, 1)), region.elevation(upper), least)) {
+                return share;
+            }
+        }
+        return 0;
+    }
+
+    private Point between(int from, int to, double share) {
+        return new Point(
+                region.x(from) + share * (region.x(to) - region.x(from)),
+                region.y(from) + share * (region.y(to) - region.y(from)));
+    }
+
+    private static Line line(Point a, Point b) {
+        return new Line(a.x(), a.y(), b.x(), b.y());
     }
 
     /** Puts the feet down at an end from which there was no room for a slope. */
@@ -64,24 +105,49 @@ final class Smoothing {
         }
     }
 
-    /** Adds a line on one floor whose ends lie at other heights, with slopes to them. */
-    private static void addLevel(List<double[]> points, List<Point> line, double floor, double entry, double exit) {
+    /** A floor, and the floors before and after it. */
+    private record Level(double floor, double before, double after) {
+
+        /** Returns the elevation at which the feet come in. */
+        double entry() {
+            return Math.max(floor, before);
+        }
+
+        /** Returns the elevation at which they go out. */
+        double exit() {
+            return Math.max(floor, after);
+        }
+    }
+
+    /** Adds a line on one floor, with slopes to where it is entered and left at other elevations. */
+    private static void addLevel(List<double[]> points, List<Point> line, Level level) {
         int last = line.size() - 1;
         if (last == 0) {
-            add(points, line.get(0), Math.max(entry, exit));
+            addSingle(points, line.get(0), level);
             return;
         }
-        add(points, line.get(0), entry);
-        if (entry > floor) {
-            add(points, beside(line.get(0), line.get(1), last == 1), floor);
+        add(points, line.get(0), level.entry());
+        if (level.entry() > level.floor()) {
+            add(points, beside(line.get(0), line.get(1), last == 1), level.floor());
         }
         for (Point p : line.subList(1, last)) {
-            add(points, p, floor);
+            add(points, p, level.floor());
         }
-        if (exit > floor) {
-            add(points, beside(line.get(last), line.get(last - 1), last == 1), floor);
+        if (level.exit() > level.floor()) {
+            add(points, beside(line.get(last), line.get(last - 1), last == 1), level.floor());
         }
-        add(points, line.get(last), exit);
+        add(points, line.get(last), level.exit());
+    }
+
+    /** Adds a single place: the slope lies on the step at whose both ends the floor is the same, if there is one. */
+    private static void addSingle(List<double[]> points, Point p, Level level) {
+        boolean changes = level.before() != level.floor() && level.after() != level.floor();
+        if (changes && level.entry() != level.exit()) {
+            add(points, p, level.entry());
+            add(points, p, level.exit());
+        } else {
+            add(points, p, Math.max(level.entry(), level.exit()));
+        }
     }
 
     /** Returns the point where a slope that begins at a point ends on the way to another one. */
