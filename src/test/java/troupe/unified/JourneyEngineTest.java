@@ -207,7 +207,9 @@ class JourneyEngineTest implements EngineContract {
     @Test
     void saysWhenStartOrGoalIsInAnObstacle() {
         Run run = plan(block("box", 30, 9, 5, 9.1, 5.1));
-        assertTrue(assertInstanceOf(Outcome.Infeasible.class, run.outcome()).reason().contains("goal (9.05, 5.05) lies in 'box'"));
+        assertTrue(assertInstanceOf(Outcome.Infeasible.class, run.outcome())
+                .reason()
+                .contains("goal (9.05, 5.05) lies in 'box'"));
         assertEquals(List.of("box"), run.report().values().get("blocked_by"));
     }
 
