@@ -16,6 +16,9 @@ final class DocumentRules {
     /** Kernels index cells with an int and a few sheets of them. */
     private static final long MAX_CELLS = 1L << 27;
 
+    /** The smallest edge of a cell in metres: far above the nanometre within which lengths count as equal. */
+    private static final double SMALLEST_CELL = 1e-4;
+
     private DocumentRules() {}
 
     static void ids(Scene scene, Findings findings) {
@@ -36,7 +39,7 @@ final class DocumentRules {
         World world = scene.world();
         boolean sized = findings.number("", "the world's width", world.width(), 0, false)
                 & findings.number("", "the world's depth", world.depth(), 0, false);
-        if (findings.number("", "the world's cell", world.cell(), 0, false)
+        if (findings.number("", "the world's cell", world.cell(), SMALLEST_CELL, true)
                 && sized
                 && world.cell() > Math.min(world.width(), world.depth())) {
             findings.error(
@@ -49,13 +52,13 @@ final class DocumentRules {
     static void memory(Scene scene, Findings findings) {
         World world = scene.world();
         double cells = world.width() / world.cell() * (world.depth() / world.cell());
-        if (!(cells > 0) || Double.isInfinite(world.width() * world.depth())) {
+        if (!(cells > 0)) {
             return;
         }
         long free = Runtime.getRuntime().maxMemory() / 4 * 3;
         double most = Math.min(MAX_CELLS, free / (double) BYTES_PER_CELL);
         if (cells > most) {
-            double fitting = Math.sqrt(world.width() * world.depth() / most) * 1.01;
+            double fitting = Math.sqrt(world.width()) * Math.sqrt(world.depth()) / Math.sqrt(most) * 1.01;
             findings.error(
                     "",
                     String.format(

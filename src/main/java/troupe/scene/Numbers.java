@@ -1,12 +1,15 @@
 package troupe.scene;
 
-import java.util.ArrayList;
-import java.util.List;
+import java.util.Arrays;
 import java.util.OptionalDouble;
+import java.util.StringTokenizer;
 import troupe.geometry.Polygon;
 
 /** Reads and writes the numbers of scene files: decimal points in any locale, shortest form that reads back equal. */
 final class Numbers {
+    /** The most corners of one polygon of a file, so that checking it for crossings stays cheap. */
+    static final int MAX_CORNERS = 10_000;
+
     private Numbers() {}
 
     /** Returns the shortest text that reads back to the same double, without a trailing {@code .0}. */
@@ -76,29 +79,44 @@ final class Numbers {
     /**
      * Reads corners written as {@code x,y x,y …}, any white space between them.
      *
-     * @throws IllegalArgumentException if a corner is not {@code x,y} or there is none
+     * @throws IllegalArgumentException if a corner is not {@code x,y}, there is none, or there are more than
+     *     {@value #MAX_CORNERS}
      */
     static Polygon polygon(String text) {
-        List<double[]> corners = new ArrayList<>();
-        for (String corner : text.strip().split("\\s+")) {
-            String[] parts = corner.split(",", -1);
-            if (parts.length != 2) {
+        double[] xs = new double[8];
+        double[] ys = new double[8];
+        int count = 0;
+        StringTokenizer corners = new StringTokenizer(text);
+        while (corners.hasMoreTokens()) {
+            if (count == MAX_CORNERS) {
+                throw new IllegalArgumentException("more than " + MAX_CORNERS + " corners; cut the polygon in two");
+            }
+            if (count == xs.length) {
+                xs = Arrays.copyOf(xs, 2 * count);
+                ys = Arrays.copyOf(ys, 2 * count);
+            }
+            String corner = corners.nextToken();
+            int comma = corner.indexOf(',');
+            if (comma < 0 || corner.indexOf(',', comma + 1) >= 0) {
                 throw new IllegalArgumentException("corner '" + shortened(corner) + "' where x,y is expected");
             }
-            double[] read = {number(parts[0]), number(parts[1])};
-            if (!Double.isFinite(read[0]) || !Double.isFinite(read[1])) {
+            xs[count] = number(corner.substring(0, comma));
+            ys[count] = number(corner.substring(comma + 1));
+            if (!Double.isFinite(xs[count]) || !Double.isFinite(ys[count])) {
                 throw new IllegalArgumentException(
                         "corner '" + shortened(corner) + "' where finite numbers are expected");
             }
-            corners.add(read);
+            count++;
         }
-        return new Polygon(
-                corners.stream().mapToDouble(c -> c[0]).toArray(),
-                corners.stream().mapToDouble(c -> c[1]).toArray());
+        if (count == 0) {
+            throw new IllegalArgumentException("no corner where x,y x,y … is expected");
+        }
+        return new Polygon(Arrays.copyOf(xs, count), Arrays.copyOf(ys, count));
     }
 
+    /** Returns a text on one line, cut where it is too long for a message. */
     private static String shortened(String text) {
-        String line = text.replaceAll("\\s+", " ");
-        return line.length() <= 40 ? line : line.substring(0, 40) + "…";
+        String start = text.length() <= 40 ? text : text.substring(0, 40) + "…";
+        return start.replaceAll("\\s+", " ");
     }
 }

@@ -11,6 +11,9 @@ import java.util.function.BiConsumer;
  * obstacle, a goal that no layer carries) is checked in {@code work}.
  */
 public final class SceneChecks {
+    /** The largest length, mass or energy of a scene: beyond it doubles no longer tell nanometres apart. */
+    static final double LARGEST = 1e6;
+
     /** Every rule, in the order in which equally bad problems are reported. */
     private static final List<BiConsumer<Scene, Findings>> RULES = List.of(
             DocumentRules::ids,
@@ -62,14 +65,18 @@ public final class SceneChecks {
             problems.add(new Problem(severity, element, lines.getOrDefault(element, 0), message, cure));
         }
 
-        /** Reports a number that is not finite, or not above {@code least} (or not at least, if {@code orEqual}); tells whether it is fine. */
+        /**
+         * Reports a number that is not finite, not above {@code least} (or not at least, if {@code orEqual}), or
+         * above {@link #LARGEST}; tells whether it is fine.
+         */
         boolean number(String element, String name, double value, double least, boolean orEqual) {
-            boolean fine = Double.isFinite(value) && (orEqual ? value >= least : value > least);
+            boolean fine = value <= LARGEST && (orEqual ? value >= least : value > least);
             if (!fine) {
                 error(
                         element,
                         name + " is " + Numbers.text(value),
-                        "give a finite number " + (orEqual ? "of at least " : "above ") + Numbers.text(least));
+                        "give a number " + (orEqual ? "from " : "above ") + Numbers.text(least) + " to "
+                                + Numbers.text(LARGEST));
             }
             return fine;
         }

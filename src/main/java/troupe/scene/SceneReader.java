@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.regex.Pattern;
 import javax.xml.XMLConstants;
 import javax.xml.parsers.ParserConfigurationException;
 import javax.xml.parsers.SAXParserFactory;
@@ -19,6 +20,7 @@ import org.xml.sax.SAXException;
 import org.xml.sax.SAXParseException;
 import org.xml.sax.XMLReader;
 import org.xml.sax.helpers.DefaultHandler;
+import troupe.geometry.Polygon;
 
 /**
  * Reads one scene file, validated against the schema while it streams. DTDs, entities and external
@@ -28,7 +30,18 @@ final class SceneReader extends DefaultHandler {
     /** After so many mistakes the rest of a file is not looked at. */
     private static final int MAX_PROBLEMS = 50;
 
+    /** The most elements of a file, abilities and preferences included. */
+    private static final int MAX_ELEMENTS = 100_000;
+
+    /** Elements may be nested so deep, and no file of the schema is. */
+    private static final int MAX_DEPTH = 8;
+
+    /** The most corners of all polygons of a file together. */
+    private static final int MAX_CORNERS = 500_000;
+
     private static final Schema SCHEMA = schema();
+
+    private static final Pattern FACET = Pattern.compile("^cvc-(pattern|enumeration|datatype|.*clusive)-valid");
 
     private final String name;
     private final List<Problem> problems = new ArrayList<>();
@@ -38,6 +51,10 @@ final class SceneReader extends DefaultHandler {
     private final List<Actor> actors = new ArrayList<>();
     private final List<Task> tasks = new ArrayList<>();
     private Locator locator;
+    private String facet = "";
+    private int elements;
+    private int depth;
+    private int corners;
     private String title = "";
     private World world;
     private ActorForm form;
@@ -46,6 +63,13 @@ final class SceneReader extends DefaultHandler {
 
     SceneReader(String name) {
         this.name = name;
+    }
+
+    /** Tells that an attribute is missing that the validator has already missed. */
+    private static final class MissingAttributeException extends IllegalArgumentException {
+        MissingAttributeException(String attribute) {
+            super(attribute);
+        }
     }
 
     private record Names(String id, String label, String colour) {}
@@ -73,9 +97,13 @@ final class SceneReader extends DefaultHandler {
         return new SceneSource(new Scene(title, world, obstacles, ditches, actors, tasks), lines);
     }
 
+    /** Returns the text of an error on one line, without codes and namespaces, long values cut. */
     private static String message(Exception e) {
         String text = e.getMessage() == null ? e.getClass().getSimpleName() : e.getMessage();
-        return text.replaceAll("^cvc-[^:]*: ", "").replaceAll("\\s+", " ");
+        return text.replaceAll("^cvc-[^:]*: ", "")
+                .replaceAll("\\{?\"" + SceneXml.NAMESPACE + "\":([\\w.-]+)\\}?", "$1")
+                .replaceAll("'([^'\\s]{40})[^'\\s]+'", "'$1…'")
+                .replaceAll("\\s+", " ");
     }
 
     private static XMLReader parser() throws SAXException {
@@ -114,7 +142,13 @@ final class SceneReader extends DefaultHandler {
 
     @Override
     public void error(SAXParseException e) throws SAXException {
-        problem(e.getLineNumber(), e.getColumnNumber(), "", message(e), "");
+        if (FACET.matcher(e.getMessage()).find()) {
+            // the validator says first what is wrong with the value, then of which attribute
+            facet = " " + message(e);
+            return;
+        }
+        problem(e.getLineNumber(), e.getColumnNumber(), "", message(e) + facet, "");
+        facet = "";
         if (problems.size() >= MAX_PROBLEMS) {
             throw e;
         }
@@ -127,15 +161,28 @@ final class SceneReader extends DefaultHandler {
     }
 
     @Override
-    public void startElement(String uri, String element, String qualified, Attributes attributes) {
+    public void startElement(String uri, String element, String qualified, Attributes attributes) throws SAXException {
+        if (++elements > MAX_ELEMENTS) {
+            throw new SAXException("more than " + MAX_ELEMENTS + " elements; split the scene");
+        }
+        if (++depth > MAX_DEPTH) {
+            throw new SAXException("elements nested more than " + MAX_DEPTH + " deep");
+        }
         String id = text(attributes, "id", "");
         if (!id.isEmpty()) {
             lines.putIfAbsent(id, locator.getLineNumber());
         }
         try {
             start(element, id, attributes);
+        } catch (MissingAttributeException e) {
+            if (problems.isEmpty()) {
+                throw new IllegalStateException("the schema lets " + e.getMessage() + " be absent", e);
+            }
         } catch (IllegalArgumentException e) {
-            problem(locator.getLineNumber(), 0, id, "<" + element + ">: " + e.getMessage(), "");
+            problem(locator.getLineNumber(), locator.getColumnNumber(), id, "<" + element + ">: " + e.getMessage(), "");
+        }
+        if (corners > MAX_CORNERS) {
+            throw new SAXException("more than " + MAX_CORNERS + " corners in all; split the scene");
         }
     }
 
@@ -144,9 +191,7 @@ final class SceneReader extends DefaultHandler {
             case "scene" -> title = text(a, "title", "");
             case "world" -> world = world(a);
             case "obstacle" -> obstacles.add(obstacle(id, a));
-            case "ditch" ->
-                ditches.add(new Ditch(
-                        id, text(a, "label", ""), Numbers.polygon(required(a, "points")), number(a, "depth", 0)));
+            case "ditch" -> ditches.add(new Ditch(id, text(a, "label", ""), outline(a), number(a, "depth", 0)));
             case "actor" -> startActor(id, a);
             case "journey" -> journey = journey(id, a);
             case "prefer" -> prefer(a);
@@ -159,11 +204,17 @@ final class SceneReader extends DefaultHandler {
         return new World(plain.width(), plain.depth(), number(a, "cell", plain.cell()));
     }
 
-    private static Obstacle obstacle(String id, Attributes a) {
+    private Polygon outline(Attributes a) {
+        Polygon outline = Numbers.polygon(required(a, "points"));
+        corners += outline.size();
+        return outline;
+    }
+
+    private Obstacle obstacle(String id, Attributes a) {
         return new Obstacle(
                 id,
                 text(a, "label", ""),
-                Numbers.polygon(required(a, "points")),
+                outline(a),
                 number(a, "offset", 0),
                 number(a, "height", 0),
                 List.of("true", "1").contains(text(a, "movable", "").strip()),
@@ -223,6 +274,7 @@ final class SceneReader extends DefaultHandler {
 
     @Override
     public void endElement(String uri, String element, String qualified) {
+        depth--;
         if (element.equals("actor") && form != null) {
             actors.add(form.actor(actorNames.id(), actorNames.label(), actorNames.colour()));
             form = null;
@@ -240,7 +292,7 @@ final class SceneReader extends DefaultHandler {
     private static String required(Attributes attributes, String attribute) {
         String value = attributes.getValue(attribute);
         if (value == null) {
-            throw new IllegalArgumentException("attribute '" + attribute + "' is missing");
+            throw new MissingAttributeException(attribute);
         }
         return value;
     }

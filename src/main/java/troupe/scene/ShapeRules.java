@@ -14,6 +14,12 @@ final class ShapeRules {
     /** Overlaps of this many metres or less come from rounding and are not reported. */
     private static final double TOUCH = 1e-6;
 
+    /** After so many overlaps no more are looked for: the scene is then one heap, and the list is long enough. */
+    private static final int MAX_OVERLAPS = 100;
+
+    /** Pairs of edges that are compared before the search for overlaps gives up, about a second's worth. */
+    private static final long MAX_EDGE_PAIRS = 20_000_000;
+
     private ShapeRules() {}
 
     static void outlines(Scene scene, Findings findings) {
@@ -22,8 +28,10 @@ final class ShapeRules {
     }
 
     private static void outline(World world, String id, Polygon outline, Findings findings) {
-        if (!finite(outline)) {
-            findings.error(id, "a corner is not finite", "give every corner finite numbers");
+        if (!isPlaced(outline)) {
+            String most = Numbers.text(SceneChecks.LARGEST);
+            findings.error(
+                    id, "a corner is not a place", "give every corner finite numbers from -" + most + " to " + most);
             return;
         }
         if (outline.size() < 3) {
@@ -55,9 +63,9 @@ final class ShapeRules {
         }
     }
 
-    private static boolean finite(Polygon outline) {
+    private static boolean isPlaced(Polygon outline) {
         for (int i = 0; i < outline.size(); i++) {
-            if (!Double.isFinite(outline.x(i)) || !Double.isFinite(outline.y(i))) {
+            if (!(Math.abs(outline.x(i)) <= SceneChecks.LARGEST && Math.abs(outline.y(i)) <= SceneChecks.LARGEST)) {
                 return false;
             }
         }
@@ -73,17 +81,27 @@ final class ShapeRules {
         scene.ditches().forEach(ditch -> findings.number(ditch.id(), "depth", ditch.depth(), 0, false));
     }
 
-    /** Sweeps over x, so that scenes of thousands of separate obstacles stay cheap. */
+    /** Sweeps over x, so that scenes of thousands of separate obstacles stay cheap; the work is bounded. */
     static void overlaps(Scene scene, Findings findings) {
         List<Obstacle> order = new ArrayList<>(scene.obstacles());
-        order.removeIf(o -> !finite(o.outline()) || o.outline().size() < 3);
+        order.removeIf(o -> !isPlaced(o.outline()) || o.outline().size() < 3);
         order.sort(Comparator.comparingDouble(o -> o.outline().bounds().minX()));
         List<Obstacle> open = new ArrayList<>();
+        int found = 0;
+        long work = 0;
         for (Obstacle next : order) {
-            open.removeIf(
-                    o -> o.outline().bounds().maxX() <= next.outline().bounds().minX() + TOUCH);
+            Box box = next.outline().bounds();
+            open.removeIf(o -> o.outline().bounds().maxX() <= box.minX() + TOUCH);
             for (Obstacle other : open) {
-                if (shareSpace(other, next)) {
+                boolean near = boxesShareSpace(other, next);
+                work += near ? (long) other.outline().size() * next.outline().size() : 1;
+                if (found == MAX_OVERLAPS || work > MAX_EDGE_PAIRS) {
+                    findings.warning(
+                            next.id(), "overlaps from here on were not looked for", "cure those that are named first");
+                    return;
+                }
+                if (near && Overlap.of(other.outline(), next.outline())) {
+                    found++;
                     findings.warning(
                             next.id(),
                             "it fills the same space as '" + other.id() + "'",
@@ -94,10 +112,9 @@ final class ShapeRules {
         }
     }
 
-    private static boolean shareSpace(Obstacle a, Obstacle b) {
+    private static boolean boxesShareSpace(Obstacle a, Obstacle b) {
         return Math.min(a.top(), b.top()) - Math.max(a.offset(), b.offset()) > TOUCH
-                && overlapDeeply(a.outline().bounds(), b.outline().bounds())
-                && Overlap.of(a.outline(), b.outline());
+                && overlapDeeply(a.outline().bounds(), b.outline().bounds());
     }
 
     private static boolean overlapDeeply(Box a, Box b) {

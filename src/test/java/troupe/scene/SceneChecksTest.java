@@ -74,6 +74,31 @@ class SceneChecksTest {
     }
 
     @Test
+    void stopsLookingForOverlapsInAHeapOfThousands() throws Exception {
+        StringBuilder heap = new StringBuilder();
+        for (int i = 0; i < 5_000; i++) {
+            heap.append("<obstacle id=\"o").append(i).append("\" height=\"1\" points=\"1,1 5,1 5,5 1,5\"/>");
+        }
+        List<Problem> found = problems(heap.toString());
+        assertEquals(101, found.size());
+        finds(Severity.WARNING, "were not looked for", heap.toString());
+    }
+
+    @Test
+    void namesLengthsThatNoGridCanTell() throws Exception {
+        finds(Severity.ERROR, "not a place", "<obstacle id=\"o\" height=\"1\" points=\"1,1 1e300,2 2,1e300\"/>");
+        finds(Severity.ERROR, "height is 1.0E8", "<obstacle id=\"o\" height=\"1e8\" points=\"1,1 3,2 2,3\"/>");
+        for (String world : List.of(
+                "width=\"1e300\" depth=\"1e300\" cell=\"1e299\"",
+                "width=\"1e-9\" depth=\"1e-9\"",
+                "width=\"1e300\" depth=\"1e300\" cell=\"1\"")) {
+            List<Problem> found = SceneChecks.check(
+                    SceneXmlTest.read("<scene xmlns=\"urn:troupe:scene:1\"><world " + world + "/></scene>"));
+            assertTrue(found.stream().anyMatch(p -> p.severity() == Severity.ERROR), world);
+        }
+    }
+
+    @Test
     void namesIdsThatAreWrongOrUsedTwice() throws Exception {
         finds(Severity.ERROR, "used twice", "<actor id=\"a\"><walk/></actor><actor id=\"a\"><walk/></actor>");
         finds(Severity.ERROR, "'1a' is not allowed", "<actor id=\"1a\"><walk/></actor>");

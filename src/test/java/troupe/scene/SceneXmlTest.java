@@ -127,6 +127,44 @@ class SceneXmlTest {
     }
 
     @Test
+    void namesTheAttributeAndWhatIsAllowed() {
+        assertEquals(
+                List.of(
+                        "column 37: Attribute 'depth' must appear on element 'ditch'.",
+                        "column 37: Attribute 'points' must appear on element 'ditch'."),
+                refused(scene("<ditch id=\"d\" label=\"a ditch\"     />")).problems().stream()
+                        .map(Problem::message)
+                        .toList());
+        String movable = refused(scene("<obstacle id=\"o\" height=\"1\" movable=\"maybe\" points=\"1,1 2,1 2,2\"/>"))
+                .getMessage();
+        assertTrue(movable.contains("'movable'") && movable.contains("boolean") && !movable.contains("more)"), movable);
+        String unknown = refused(scene("<well/>")).getMessage();
+        assertTrue(unknown.contains("One of 'obstacle, ditch, actor, journey' is expected"), unknown);
+    }
+
+    @Test
+    void refusesWhatWouldTakeTooMuchBeforeItIsTaken() {
+        String corners = "1,1 2,1 ".repeat(Numbers.MAX_CORNERS);
+        assertTrue(refused(scene("<ditch id=\"d\" depth=\"1\" points=\"" + corners + "\"/>"))
+                .getMessage()
+                .contains("more than 10000 corners"));
+        String ditch = "<ditch id=\"d\" depth=\"1\" points=\"" + "1,1 ".repeat(9_000) + "\"/>";
+        assertTrue(refused(scene(ditch.repeat(60))).getMessage().contains("more than 500000 corners in all"));
+        assertTrue(refused(scene("<ditch id=\"d\" depth=\"1\" points=\"1,1\"/>".repeat(100_001)))
+                .getMessage()
+                .contains("more than 100000 elements"));
+        assertTrue(refused(scene("<actor id=\"a\">".repeat(20)))
+                .problems()
+                .toString()
+                .contains("nested more than 8"));
+        String number = "1".repeat(1_000_000);
+        assertTrue(refused(scene("<ditch id=\"d\" depth=\"1\" points=\"" + number + ",x 1,2\"/>"))
+                        .getMessage()
+                        .length()
+                < 500);
+    }
+
+    @Test
     void refusesDoctypesEntitiesAndOtherEncodingsOfHarm() {
         refused("<!DOCTYPE scene [<!ENTITY x SYSTEM \"file:///etc/passwd\">]>" + scene("&x;"));
         refused("");
