@@ -115,7 +115,7 @@ public final class OutlinePanel extends Panel {
         list.setSelectedIndices(marked);
         if (marked.length == 1) {
             Rectangle cell = list.getCellBounds(marked[0], marked[0]);
-            if (cell != null && !list.getVisibleRect().contains(cell)) {
+            if (cell != null && list.isShowing() && !list.getVisibleRect().contains(cell)) {
                 list.scrollRectToVisible(cell);
             }
         }
