@@ -78,32 +78,53 @@ public final class DocPictures {
                 name + "-skeleton");
     }
 
+    /** Returns views of the storeys that the goal can be reached from. */
     private static List<Overlay> overlays(Scene scene, String task, List<String> keys) {
+        List<Overlay> potential = flat(Fields.of(scene, task, List.of("potential")));
         Set<Integer> reached = new TreeSet<>();
-        for (Overlay overlay : flat(Fields.of(scene, task, List.of("potential")))) {
-            reached.add(overlay.layer());
-        }
-        return rescaled(flat(Fields.of(scene, task, keys)).stream()
+        potential.forEach(o -> reached.add(o.layer()));
+        List<Overlay> shown = flat(Fields.of(scene, task, keys)).stream()
                 .filter(o -> o.key().equals("effort") || reached.contains(o.layer()))
-                .toList());
+                .toList();
+        return keys.contains("clearance")
+                ? onTheWay(shown, flat(Fields.of(scene, task, List.of("elevation"))), potential)
+                : shown;
     }
 
-    /** Ends the scale of the clearance at the largest value that is shown. */
-    private static List<Overlay> rescaled(List<Overlay> overlays) {
-        double max = 0;
-        for (Overlay overlay : overlays) {
-            if (overlay.key().equals("clearance") && overlay instanceof Overlay.Field field) {
-                for (float value : field.values()) {
-                    max = value > max ? value : max;
-                }
+    /** Leaves the values on the ground and on what can be reached, not those on walls, and ends their scale there. */
+    private static List<Overlay> onTheWay(List<Overlay> shown, List<Overlay> elevation, List<Overlay> potential) {
+        List<float[]> kept = new ArrayList<>();
+        float max = 0;
+        for (Overlay overlay : shown) {
+            float[] values = values(overlay, shown).clone();
+            float[] floor = values(overlay, elevation);
+            float[] way = values(overlay, potential);
+            for (int i = 0; i < values.length; i++) {
+                values[i] = Math.abs(floor[i]) < 0.05 || !Float.isNaN(way[i]) ? values[i] : Float.NaN;
+                max = values[i] > max ? values[i] : max;
             }
+            kept.add(values);
         }
-        Overlay.Scale scale = new Overlay.Continuous("m", 0, max, 0.25);
-        return overlays.stream()
-                .map(o -> o.key().equals("clearance") && o instanceof Overlay.Field f
-                        ? new Overlay.Field(f.key(), f.layer(), f.frame(), f.values(), scale)
-                        : o)
-                .toList();
+        List<Overlay> result = new ArrayList<>();
+        for (int k = 0; k < kept.size(); k++) {
+            Overlay.Field field = (Overlay.Field) shown.get(k);
+            result.add(new Overlay.Field(
+                    field.key(),
+                    field.layer(),
+                    field.frame(),
+                    kept.get(k),
+                    new Overlay.Continuous("m", 0, max, 0.25)));
+        }
+        return result;
+    }
+
+    /** Returns the values of the field among {@code fields} that lies in the layer of another. */
+    private static float[] values(Overlay other, List<Overlay> fields) {
+        return fields.stream()
+                .filter(f -> f.layer() == other.layer())
+                .map(f -> ((Overlay.Field) f).values())
+                .findFirst()
+                .orElseThrow();
     }
 
     private static List<Overlay> flat(Fields fields) {
