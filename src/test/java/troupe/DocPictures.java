@@ -109,11 +109,7 @@ public final class DocPictures {
         for (int k = 0; k < kept.size(); k++) {
             Overlay.Field field = (Overlay.Field) shown.get(k);
             result.add(new Overlay.Field(
-                    field.key(),
-                    field.layer(),
-                    field.frame(),
-                    kept.get(k),
-                    new Overlay.Continuous("m", 0, max, 0.25)));
+                    field.key(), field.layer(), field.frame(), kept.get(k), new Overlay.Continuous("m", 0, max, 0.25)));
         }
         return result;
     }
