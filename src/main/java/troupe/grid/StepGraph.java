@@ -141,6 +141,14 @@ final class StepGraph {
         return d < 4 ? d + 2 & 3 : 4 + (d + 2 & 3);
     }
 
+    /** Tells the same as {@link #has} of nodes that are not folded, once the rings are filled. */
+    private boolean leadsTo(int from, int d, int to) {
+        if ((trait[from] & PLAIN) != 0) {
+            return (moves[from] >> d & 1) != 0 && from + offset[d] == to;
+        }
+        return ring[slot[from] * GridFrame.DIRECTIONS + d] == to || (trait[from] & IRREGULAR) != 0 && has(from, d, to);
+    }
+
     /** Reads masks and plainness; returns how many open nodes are not plain. */
     private int readPlain() {
         int special = 0;
@@ -250,8 +258,8 @@ final class StepGraph {
                 }
                 continue;
             }
-            boolean across = has(left, 4 + b, right);
-            boolean round = corner >= 0 && has(left, b, corner) && has(right, a, corner);
+            boolean across = leadsTo(left, 4 + b, right);
+            boolean round = corner >= 0 && leadsTo(left, b, corner) && leadsTo(right, a, corner);
             if (across != round || corner >= 0 && !round) {
                 mark(q, left, right, corner >= 0 ? corner : q);
             }
