@@ -100,9 +100,12 @@ final class Brushfire {
         return dx * dx + dy * dy;
     }
 
-    /** Tells whether a node and the neighbour one step on in direction {@code d} have the same origin. */
-    boolean sameOrigin(int q, int neighbour, int d) {
-        return (vector[neighbour] - vector[q] - change[d] & ~DONE) == 0;
+    /** Returns the squared distance in cells² of the origins of a node and its neighbour in direction {@code d}. */
+    int apart(int q, int neighbour, int d) {
+        int shift = vector[neighbour] - vector[q] - change[d];
+        int dy = shift << 17 >> 17;
+        int dx = shift - dy >> 15;
+        return dx * dx + dy * dy;
     }
 
     /** Gives the nodes at the region's end the nearest missing cell as origin; returns how many nodes there are. */
@@ -144,7 +147,27 @@ final class Brushfire {
             spreadByList(q, v, current);
             return;
         }
+        int right = dx < 0 ? -1 : 1;
+        int up = dy < 0 ? -1 : 1;
         int moves = graph.moves[q];
+        if (moves == -1) {
+            offer(q + right, v + right * RIGHT, distance + 2 * right * dx, current);
+            offer(q + up * graph.offset[1], v + up, distance + 2 * up * dy, current);
+        } else {
+            spreadWithin(q, v, distance, moves, current);
+            return;
+        }
+        if (dx == 0) {
+            offer(q - 1, v - RIGHT, distance, current);
+        }
+        if (dy == 0) {
+            offer(q - graph.offset[1], v - 1, distance, current);
+        }
+    }
+
+    private void spreadWithin(int q, int v, int distance, int moves, int current) {
+        int dx = (v >>> 15) - BIAS;
+        int dy = (v & LOW) - BIAS;
         if (dx >= 0 && (moves & 1) != 0) {
             offer(q + 1, v + RIGHT, distance + 2 * dx, current);
         }
@@ -172,26 +195,33 @@ final class Brushfire {
         }
     }
 
-    /** Takes an offered origin if it is nearer; a straight step leads at most two bands on. */
+    /**
+     * Takes an offered origin if it is nearer; a straight step leads at most two bands on. Written without
+     * branches, because which offers are taken cannot be foretold.
+     */
     private void offer(int q, int v, int distance, int current) {
-        if (distance < squared[q]) {
-            squared[q] = distance;
-            vector[q] = v | vector[q] & DONE;
-            int fourfold = 4 * distance;
-            int b = current;
-            if (fourfold >= (current + 1) * (current + 1)) {
-                b = fourfold >= (current + 2) * (current + 2) ? current + 2 : current + 1;
-            }
-            push(b, q);
+        int known = squared[q];
+        int old = vector[q];
+        int taken = distance - known >>> 31;
+        squared[q] = Math.min(distance, known);
+        vector[q] = taken != 0 ? v | old & DONE : old;
+        int beyond = (current + 1) * (current + 1) - 1 - 4 * distance >>> 31;
+        int farBeyond = (current + 2) * (current + 2) - 1 - 4 * distance >>> 31;
+        int b = current + beyond + farBeyond & BANDS - 1;
+        int at = length[b];
+        band[b][at] = q;
+        length[b] = at + taken;
+        if (at + taken == band[b].length) {
+            band[b] = Arrays.copyOf(band[b], 2 * band[b].length);
         }
     }
 
     private void push(int bandNumber, int q) {
         int b = bandNumber & BANDS - 1;
+        band[b][length[b]++] = q;
         if (length[b] == band[b].length) {
             band[b] = Arrays.copyOf(band[b], 2 * length[b]);
         }
-        band[b][length[b]++] = q;
     }
 
     /** Reaches nodes that lie onwards of none of their neighbours; only bent surfaces have such. */

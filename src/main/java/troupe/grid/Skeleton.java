@@ -33,7 +33,6 @@ final class Skeleton {
     private final StepGraph graph;
     private final Brushfire fire;
     private final byte[] state;
-    private final byte[] alive;
     private final Link link;
     private int[] waiting = new int[1 << 8];
     private int waitingCount;
@@ -43,13 +42,11 @@ final class Skeleton {
         this.graph = graph;
         this.fire = fire;
         this.state = new byte[graph.size];
-        this.alive = new byte[graph.size];
         this.link = new Link(graph);
     }
 
     /** Thins the region, keeping the goal: the curve that is left from there climbs to the ridge. */
     void compute(int goal) {
-        System.arraycopy(graph.moves, 0, alive, 0, graph.size);
         for (int q = 0; q < graph.size; q++) {
             state[q] = (graph.trait[q] & (StepGraph.OPEN | StepGraph.FOLDED)) == StepGraph.OPEN ? IN : 0;
         }
@@ -99,24 +96,25 @@ final class Skeleton {
     }
 
     private void compare(int q, int neighbour, int d) {
-        if (fire.sameOrigin(q, neighbour, d)) {
-            return;
+        int apart = fire.apart(q, neighbour, d);
+        boolean narrow = apart == 1 && isNarrow(q, d) && isNarrow(neighbour, d);
+        if (apart > SAME_PLACE || narrow) {
+            markNearer(q, neighbour, d, apart);
         }
+    }
+
+    /** Marks the one of two neighbours that is nearer to the bisector of their origins, if those are far apart. */
+    private void markNearer(int q, int neighbour, int d, int apart) {
         int stepX = GridFrame.dx(d);
         int stepY = GridFrame.dy(d);
         int qx = fire.dx(q);
         int qy = fire.dy(q);
         int nx = fire.dx(neighbour) - stepX;
         int ny = fire.dy(neighbour) - stepY;
-        int apart = (qx - nx) * (qx - nx) + (qy - ny) * (qy - ny);
-        boolean narrow = apart == 1 && isNarrow(q, d) && isNarrow(neighbour, d);
-        if (apart <= SAME_PLACE && !narrow) {
-            return;
-        }
         int ownDistance = qx * qx + qy * qy;
         int otherDistance = fire.squaredDistance(neighbour);
         double farther = Math.max(ownDistance, otherDistance);
-        if (narrow || apart > 8 * Math.sqrt(farther) + 4 || apart > OPPOSITE * farther) {
+        if (apart == 1 || apart > 8 * Math.sqrt(farther) + 4 || apart > OPPOSITE * farther) {
             int ownExcess = nx * nx + ny * ny - ownDistance;
             int otherExcess = (qx + stepX) * (qx + stepX) + (qy + stepY) * (qy + stepY) - otherDistance;
             state[ownExcess <= otherExcess ? q : neighbour] |= RIDGE;
@@ -143,7 +141,8 @@ final class Skeleton {
             return;
         }
         if (q != goal && isSimple(q)) {
-            take(q, TESTED);
+            state[q] = 0;
+            wake(q, TESTED);
         } else {
             state[q] |= TESTED;
         }
@@ -162,7 +161,8 @@ final class Skeleton {
 
     private void takeRidge(int q, int goal) {
         if ((state[q] & IN) != 0 && q != goal && isSimple(q) && degree(q) > 1) {
-            take(q, IN);
+            state[q] = 0;
+            wake(q, IN);
         }
     }
 
@@ -171,41 +171,67 @@ final class Skeleton {
             link.collect(q, state, IN);
             return link.foldsToPoint();
         }
-        return SimplePoints.isSimple(alive[q], graph.moves[q]);
+        return SimplePoints.isSimple(directions(q, IN), graph.moves[q]);
     }
 
     private int degree(int q) {
         return (graph.trait[q] & StepGraph.IRREGULAR) != 0
                 ? link.collect(q, state, IN)
-                : Integer.bitCount(alive[q] & 0xFF);
+                : Integer.bitCount(directions(q, IN));
     }
 
-    /** Takes a node out; neighbours with all bits of {@code again} in their state are tested again. */
-    private void take(int q, int again) {
-        state[q] &= ~IN;
-        if ((graph.trait[q] & (StepGraph.PLAIN | StepGraph.IRREGULAR)) == StepGraph.PLAIN) {
-            for (int bits = alive[q] & 0xFF; bits != 0; bits &= bits - 1) {
-                int d = Integer.numberOfTrailingZeros(bits);
-                leave(q + graph.offset[d], d, again);
-            }
-        } else if ((graph.trait[q] & StepGraph.IRREGULAR) == 0) {
+    /** Returns the directions of the neighbours with a bit in their state; for nodes that are not irregular. */
+    private int directions(int q, int bit) {
+        int moves = graph.moves[q];
+        if ((graph.trait[q] & StepGraph.PLAIN) == 0) {
             int base = graph.slot[q] * GridFrame.DIRECTIONS;
-            for (int bits = alive[q] & 0xFF; bits != 0; bits &= bits - 1) {
-                int d = Integer.numberOfTrailingZeros(bits);
-                leave(graph.ring[base + d], d, again);
+            int found = 0;
+            for (int d = 0; d < GridFrame.DIRECTIONS; d++) {
+                int neighbour = graph.ring[base + d];
+                found |= neighbour >= 0 && (state[neighbour] & bit) != 0 ? 1 << d : 0;
             }
-        } else {
-            int count = link.collect(q, state, IN);
-            for (int k = 0; k < count; k++) {
-                leave(link.member(k), link.heading(k), again);
-            }
+            return found;
         }
+        return moves == -1 ? allDirections(q, bit) : someDirections(q, bit, moves & 0xFF);
     }
 
-    private void leave(int neighbour, int d, int again) {
-        alive[neighbour] &= ~(1 << StepGraph.opposite(d));
-        if ((state[neighbour] & (again | IN)) == (again | IN)) {
-            wait(neighbour);
+    private int someDirections(int q, int bit, int moves) {
+        int found = 0;
+        for (int bits = moves; bits != 0; bits &= bits - 1) {
+            int d = Integer.numberOfTrailingZeros(bits);
+            found |= (state[q + graph.offset[d]] & bit) != 0 ? 1 << d : 0;
+        }
+        return found;
+    }
+
+    /** Does the same where all eight steps are legal, without a branch. */
+    private int allDirections(int q, int bit) {
+        int shift = Integer.numberOfTrailingZeros(bit);
+        int up = q + graph.offset[1];
+        int down = q + graph.offset[3];
+        return state[q + 1] >> shift & 1
+                | (state[up] >> shift & 1) << 1
+                | (state[q - 1] >> shift & 1) << 2
+                | (state[down] >> shift & 1) << 3
+                | (state[up + 1] >> shift & 1) << 4
+                | (state[up - 1] >> shift & 1) << 5
+                | (state[down - 1] >> shift & 1) << 6
+                | (state[down + 1] >> shift & 1) << 7;
+    }
+
+    /** Has the neighbours with a bit in their state tested again. */
+    private void wake(int q, int bit) {
+        if ((graph.trait[q] & StepGraph.IRREGULAR) != 0) {
+            int count = link.collect(q, state, bit);
+            for (int k = 0; k < count; k++) {
+                wait(link.member(k));
+            }
+            return;
+        }
+        boolean plain = (graph.trait[q] & StepGraph.PLAIN) != 0;
+        for (int bits = directions(q, bit); bits != 0; bits &= bits - 1) {
+            int d = Integer.numberOfTrailingZeros(bits);
+            wait(plain ? q + graph.offset[d] : graph.ring[graph.slot[q] * GridFrame.DIRECTIONS + d]);
         }
     }
 
