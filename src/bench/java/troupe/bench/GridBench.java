@@ -49,7 +49,9 @@ public class GridBench {
         actor = Actor.standard("a");
         region = Region.of(scene, actor);
         goal = -1;
-        for (double x = GeneratedScenes.SIDE / 2; goal < 0 || !region.open(goal); x += scene.world().cell()) {
+        for (double x = GeneratedScenes.SIDE / 2;
+                goal < 0 || !region.open(goal);
+                x += scene.world().cell()) {
             goal = region.locate(Place.of(x, GeneratedScenes.SIDE / 2));
         }
         floors = new Floors(size, scene);
