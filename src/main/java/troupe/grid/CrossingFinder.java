@@ -124,13 +124,25 @@ final class CrossingFinder {
         for (int other = 0; other < drops.length; other++) {
             any |= drops[other] > 0 && within(spans.elevation(other), floor);
         }
-        double margin = gait / 2 + cell;
-        for (Box box : any ? Window.apart(surfaces(floor, margin)) : List.<Box>of()) {
+        if (any) {
+            clusters(level, gait).forEach(surface -> gaps(level, gait, surface, sheet, free));
+        }
+    }
+
+    /**
+     * Returns windows around the surfaces within a step of a level that hold take-off places, such that a
+     * crossing of at most {@code limit} metres from that level stays within one of them; they share no cell.
+     */
+    private List<Window> clusters(int level, double limit) {
+        double margin = limit / 2 + 2 * cell;
+        List<Window> windows = new ArrayList<>();
+        for (Box box : Window.apart(surfaces(spans.elevation(level), margin))) {
             Window window = Window.of(frame, box.grown(-margin));
             if (window.meets(takeOff(level))) {
-                gaps(level, gait, window, sheet, free);
+                windows.add(window);
             }
         }
+        return windows;
     }
 
     /** Returns the window that holds the take-off places of a level. */
@@ -164,7 +176,7 @@ final class CrossingFinder {
     }
 
     private void gaps(int level, double gait, Window surface, int[] sheet, boolean[] free) {
-        Window open = unsupported(surface, sheet, free);
+        Window open = outermost(surface, at -> free[columnAt[at]] && !supported(at, sheet));
         if (open.size() == 0) {
             return;
         }
@@ -196,16 +208,21 @@ final class CrossingFinder {
         return k >= 0 && kinds[k * frame.size() + at] != Kind.FORBIDDEN;
     }
 
-    /** Returns the window of the cells that have head room but no support. */
-    private Window unsupported(Window surface, int[] sheet, boolean[] free) {
+    /** Says something of a cell of the frame. */
+    private interface Cells {
+        boolean hold(int at);
+    }
+
+    /** Returns the smallest window within another that has all of its cells for which something holds. */
+    private Window outermost(Window within, Cells cells) {
         int left = Integer.MAX_VALUE;
         int low = Integer.MAX_VALUE;
         int right = -1;
         int high = -1;
-        for (int row = surface.row0(); row < surface.row0() + surface.rows(); row++) {
-            int at = row * frame.cols() + surface.col0();
-            for (int col = surface.col0(); col < surface.col0() + surface.cols(); col++, at++) {
-                if (free[columnAt[at]] && !supported(at, sheet)) {
+        for (int row = within.row0(); row < within.row0() + within.rows(); row++) {
+            int at = row * frame.cols() + within.col0();
+            for (int col = within.col0(); col < within.col0() + within.cols(); col++, at++) {
+                if (cells.hold(at)) {
                     left = Math.min(left, col);
                     right = Math.max(right, col);
                     low = Math.min(low, row);
@@ -228,20 +245,26 @@ final class CrossingFinder {
             return;
         }
         Window reachable = takeOff(level).grown((int) Math.ceil(vault.reach() / cell) + 1, frame);
-        int[] sheet = null;
+        List<Window> clusters = clusters(level, vault.reach());
+        int[] sheet = sheetsNear(floor);
+        List<Window> windows = new ArrayList<>();
         for (Box box : Window.apart(boxes)) {
-            Window window = Window.of(frame, box).common(reachable);
-            if (window.size() > 0) {
-                sheet = sheet == null ? sheetsNear(floor) : sheet;
-                vaults(level, vault, window, sheet);
+            for (Window cluster : clusters) {
+                Window window = Window.of(frame, box).common(reachable).common(cluster);
+                if (window.size() > 0) {
+                    windows.add(window);
+                }
             }
         }
+        int margin = 3 * (int) Math.ceil(vault.reach() / 2 / cell);
+        Window.merged(windows, margin).forEach(window -> vaults(level, vault, window, sheet));
     }
 
     private void vaults(int level, Actor.Vault vault, Window inner, int[] sheet) {
         Window window = inner.grown((int) Math.ceil(vault.reach() / cell) + 1, frame);
         byte[] vaultable = new byte[window.size()];
-        if (!solids.vaultable(spans.elevation(level), vault, window, vaultable)) {
+        solids.vaultable(spans.elevation(level), vault, window, vaultable);
+        if (outermost(inner, at -> vaultable[window.index(frame, at)] != 0).size() == 0) {
             return;
         }
         byte[] barred = new byte[window.size()];
@@ -269,24 +292,27 @@ final class CrossingFinder {
 
     /** Keeps of the candidates in a window what lies on a legal straight crossing. */
     private void keep(int level, byte kind, double limit, Window window, byte[] candidates, int[] sheet) {
-        byte[] state = new byte[window.size()];
+        Window ends = outermost(window, at -> candidates[window.index(frame, at)] != 0)
+                .grown(1, frame)
+                .common(window);
+        byte[] state = new byte[ends.size()];
         for (int i = 0; i < state.length; i++) {
-            int at = cellOf(window, i);
+            int at = cellOf(ends, i);
             int k = sheet[columnAt[at]];
-            int bits = candidates[i] != 0 ? Pruning.CANDIDATE : 0;
+            int bits = candidates[window.index(frame, at)] != 0 ? Pruning.CANDIDATE : 0;
             if (k >= 0 && takesOff(k * frame.size() + at)) {
                 bits |= Pruning.END;
                 bits |= spans.level(columnAt[at], k) == level ? Pruning.BEGIN : 0;
             }
             state[i] = (byte) bits;
         }
-        byte[] kept = new Pruning(window.cols(), window.rows(), state).kept(Pruning.squaredCells(limit, cell));
+        byte[] kept = new Pruning(ends.cols(), ends.rows(), state).kept(Pruning.squaredCells(limit, cell));
         for (int i = 0; i < kept.length; i++) {
             if (kept[i] != 0) {
                 if (count == found.length) {
                     found = Arrays.copyOf(found, 2 * count);
                 }
-                found[count++] = Crossings.key(cellOf(window, i), level, kind);
+                found[count++] = Crossings.key(cellOf(ends, i), level, kind);
             }
         }
     }

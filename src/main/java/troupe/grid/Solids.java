@@ -152,10 +152,8 @@ final class Solids {
     /**
      * Sets the cells of a window that are in the way of a walking body on {@code floor} only because of
      * solids whose tops a vault can take, with room above the highest of them for the vaulting body.
-     *
-     * @return whether there is any
      */
-    boolean vaultable(double floor, Actor.Vault vault, Window window, byte[] mask) {
+    void vaultable(double floor, Actor.Vault vault, Window window, byte[] mask) {
         double[] highest = new double[window.size()];
         ground(floor, vault, window, mask, highest);
         List<Integer> above = new ArrayList<>();
@@ -186,12 +184,9 @@ final class Solids {
                 }
             });
         }
-        boolean any = false;
         for (int i = 0; i < mask.length; i++) {
             mask[i] = (byte) (mask[i] == HIT ? 1 : 0);
-            any |= mask[i] != 0;
         }
-        return any;
     }
 
     /** Marks where ground, or the world's edge, stands in the way. */

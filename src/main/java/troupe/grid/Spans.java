@@ -65,11 +65,11 @@ public final class Spans {
 
     /** Returns the distinct heights, ascending; heights that are the same to {@link Column#SAME} count once. */
     private static double[] distinct(double[] heights) {
-        double[] sorted =
-                Arrays.stream(heights).filter(h -> !Double.isNaN(h)).sorted().toArray();
+        double[] sorted = heights.clone();
+        Arrays.sort(sorted);
         int count = 0;
         for (double h : sorted) {
-            if (count == 0 || h - sorted[count - 1] > Column.SAME) {
+            if (!Double.isNaN(h) && (count == 0 || h - sorted[count - 1] > Column.SAME)) {
                 sorted[count++] = h;
             }
         }

@@ -46,6 +46,45 @@ record Window(int col0, int row0, int cols, int rows) {
         return new Window(left, low, Math.max(0, right - left), Math.max(0, high - low));
     }
 
+    /** Returns the index here of a cell of the frame that lies in this window. */
+    int index(GridFrame frame, int at) {
+        int row = at / frame.cols();
+        return (row - row0) * cols + at - row * frame.cols() - col0;
+    }
+
+    private Window union(Window other) {
+        int left = Math.min(col0, other.col0);
+        int low = Math.min(row0, other.row0);
+        int right = Math.max(col0 + cols, other.col0 + other.cols);
+        int high = Math.max(row0 + rows, other.row0 + other.rows);
+        return new Window(left, low, right - left, high - low);
+    }
+
+    /**
+     * Returns windows that cover the given ones, two becoming one where that has fewer cells once each is
+     * grown by {@code margin}. Cost O(n³) at worst, n windows.
+     */
+    static List<Window> merged(List<Window> windows, int margin) {
+        List<Window> merged = new ArrayList<>();
+        for (Window window : windows) {
+            Window grown = window;
+            for (int i = 0; i < merged.size(); i++) {
+                Window both = grown.union(merged.get(i));
+                if (both.area(margin) <= grown.area(margin) + merged.get(i).area(margin)) {
+                    merged.remove(i);
+                    grown = both;
+                    i = -1;
+                }
+            }
+            merged.add(grown);
+        }
+        return merged;
+    }
+
+    private long area(int margin) {
+        return (long) (cols + 2 * margin) * (rows + 2 * margin);
+    }
+
     boolean holds(int col, int row) {
         return col >= col0 && col < col0 + cols && row >= row0 && row < row0 + rows;
     }
