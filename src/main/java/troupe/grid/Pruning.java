@@ -28,6 +28,9 @@ final class Pruning {
     private final Straight.Cells keep;
     private int left;
     private int[] sums = {};
+    private int[] endCols = {};
+    private int[] endRows = {};
+    private int[] firstOfRow = {};
 
     Pruning(int cols, int rows, byte[] state) {
         this.cols = cols;
@@ -54,9 +57,10 @@ final class Pruning {
         }
         if (left > 0) {
             countLeft();
-            for (int e : ends) {
-                if (left > 0 && (state[e] & BEGIN) != 0 && anyLeft(e % cols, e / cols, reach)) {
-                    toEnds(e, ends, reach, squared);
+            unpack(ends);
+            for (int n = 0; n < ends.length; n++) {
+                if (left > 0 && (state[ends[n]] & BEGIN) != 0 && anyLeft(endCols[n], endRows[n], reach)) {
+                    toEnds(n, reach, squared);
                 }
             }
         }
@@ -158,23 +162,35 @@ final class Pruning {
     }
 
     /** Keeps what the crossings from one begin to all ends within reach pass. */
-    private void toEnds(int begin, int[] ends, int reach, double squared) {
-        int col = begin % cols;
-        int row = begin / cols;
-        int from = Arrays.binarySearch(ends, Math.max(0, row - reach) * cols);
-        for (int n = from < 0 ? -from - 1 : from; n < ends.length && ends[n] / cols <= row + reach; n++) {
-            int dx = ends[n] % cols - col;
-            int dy = ends[n] / cols - row;
+    private void toEnds(int begin, int reach, double squared) {
+        int col = endCols[begin];
+        int row = endRows[begin];
+        for (int n = firstOfRow[Math.max(0, row - reach)], last = firstOfRow[Math.min(rows, row + reach + 1)];
+                n < last;
+                n++) {
+            int dx = endCols[n] - col;
+            int dy = endRows[n] - row;
             if ((double) dx * dx + (double) dy * dy <= squared
                     && (dx | dy) != 0
-                    && anyLeft(
-                            Math.min(col, col + dx),
-                            Math.min(row, row + dy),
-                            Math.max(col, col + dx),
-                            Math.max(row, row + dy))
-                    && Straight.passes(begin, dx, dy, cols, candidate)) {
-                Straight.passes(begin, dx, dy, cols, keep);
+                    && anyLeft(Math.min(col, col + dx), Math.min(row, row + dy), Math.max(col, col + dx), Math.max(row, row + dy))
+                    && Straight.passes(row * cols + col, dx, dy, cols, candidate)) {
+                Straight.passes(row * cols + col, dx, dy, cols, keep);
             }
+        }
+    }
+
+    /** Unpacks the ascending cells of the ends, so that pairs are found without divisions. */
+    private void unpack(int[] ends) {
+        endCols = new int[ends.length];
+        endRows = new int[ends.length];
+        firstOfRow = new int[rows + 1];
+        for (int n = 0; n < ends.length; n++) {
+            endRows[n] = ends[n] / cols;
+            endCols[n] = ends[n] - endRows[n] * cols;
+            firstOfRow[endRows[n] + 1]++;
+        }
+        for (int row = 0; row < rows; row++) {
+            firstOfRow[row + 1] += firstOfRow[row];
         }
     }
 }

@@ -27,6 +27,7 @@ final class Solids {
     private final boolean touching;
     private final Window[] boxes;
     private final int[][] outlines;
+    private final double[] grounds;
     private final List<Integer> walls;
     private int[] edge;
 
@@ -45,6 +46,10 @@ final class Solids {
         for (int i = 0; i < count; i++) {
             boxes[i] =
                     Window.of(frame, scene.obstacles().get(i).outline().bounds().grown(radius));
+        }
+        this.grounds = new double[columns.count()];
+        for (int id = 0; id < grounds.length; id++) {
+            grounds[id] = columns.column(id).ground();
         }
         this.walls = new ArrayList<>();
         for (int i = 0; i < rims.size(); i++) {
@@ -136,8 +141,8 @@ final class Solids {
                 boxes.add(obstacle.outline().bounds().grown(margin));
             }
         }
-        for (int id = 1; id < columns.count(); id++) {
-            if (inRange(columns.column(id).ground(), floor, vault)) {
+        for (double ground : grounds) {
+            if (inRange(ground, floor, vault)) {
                 return List.of(
                         new Box(0, 0, scene.world().width(), scene.world().depth()));
             }
@@ -198,9 +203,7 @@ final class Solids {
         for (int row = 0; row < window.rows(); row++) {
             int cell = (window.row0() + row) * frame.cols() + window.col0();
             for (int i = row * window.cols(), end = i + window.cols(); i < end; i++, cell++) {
-                double ground = at[cell] == Columns.ROCK
-                        ? Double.POSITIVE_INFINITY
-                        : columns.column(at[cell]).ground();
+                double ground = grounds[at[cell]];
                 if (ground > limit) {
                     mask[i] |= inRange(ground, floor, vault) ? HIT : HIT | BAD;
                     highest[i] = ground;
