@@ -164,11 +164,24 @@ final class CellRuns {
         double length = Math.sqrt(dx * dx + dy * dy);
         double nx = length == 0 ? 0 : -dy / length * radius;
         double ny = length == 0 ? 0 : dx / length * radius;
+        double square = radius * radius;
         int last = Math.min(frame.rows(), firstRow(Math.max(ay, by) + radius) + 1);
         for (int row = Math.max(0, firstRow(Math.min(ay, by) - radius)); row < last; row++) {
             double y = frame.centreY(row);
-            double low = Math.min(leftOfDisc(ax, y - ay, radius), leftOfDisc(bx, y - by, radius));
-            double high = -Math.min(leftOfDisc(-ax, y - ay, radius), leftOfDisc(-bx, y - by, radius));
+            double low = Double.POSITIVE_INFINITY;
+            double high = Double.NEGATIVE_INFINITY;
+            double halfA = square - (y - ay) * (y - ay);
+            if (halfA >= 0) {
+                double half = Math.sqrt(halfA);
+                low = ax - half;
+                high = ax + half;
+            }
+            double halfB = square - (y - by) * (y - by);
+            if (halfB >= 0) {
+                double half = Math.sqrt(halfB);
+                low = Math.min(low, bx - half);
+                high = Math.max(high, bx + half);
+            }
             if (dy != 0) {
                 double t = (y - ay - ny) / dy;
                 double u = (y - ay + ny) / dy;
@@ -182,25 +195,21 @@ final class CellRuns {
                 }
             }
             if (low <= high) {
-                addExact(row, firstCol(low), firstCol(high) - 1, ax, ay, bx, by, radius * radius);
+                addExact(row, low, high, ax, ay, bx, by, square);
             }
         }
     }
 
-    private static double leftOfDisc(double x, double dy, double radius) {
-        double square = radius * radius - dy * dy;
-        return square < 0 ? Double.POSITIVE_INFINITY : x - Math.sqrt(square);
-    }
-
-    /** Adds the run {@code [from, to]} after moving its ends to where the distance itself says. */
-    private void addExact(int row, int from, int to, double ax, double ay, double bx, double by, double squaredRadius) {
+    /** Adds the run between two x after moving its ends to where the distance itself says. */
+    private void addExact(
+            int row, double low, double high, double ax, double ay, double bx, double by, double square) {
         double y = frame.centreY(row);
-        int first = from - 1;
-        int last = to + 1;
-        while (first <= last && !(squared(first, y, ax, ay, bx, by) < squaredRadius)) {
+        int first = Math.max(0, (int) ((low - frame.originX()) / frame.cell() - 0.5));
+        int last = Math.min(frame.cols() - 1, (int) ((high - frame.originX()) / frame.cell() + 0.5));
+        while (first <= last && !(squared(first, y, ax, ay, bx, by) < square)) {
             first++;
         }
-        while (first <= last && !(squared(last, y, ax, ay, bx, by) < squaredRadius)) {
+        while (first <= last && !(squared(last, y, ax, ay, bx, by) < square)) {
             last--;
         }
         add(row, first, last + 1);

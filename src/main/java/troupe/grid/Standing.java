@@ -13,7 +13,7 @@ import troupe.scene.Scene;
  *
  * <p>A body has room where no solid that reaches into {@code (floor + stepHeight, floor + bodyHeight)},
  * nor the world's edge, is nearer to the cell's centre than its radius: each outline stamps the runs of
- * cells within the radius, to the last bit of a double. Where the radius is under {@link #TOUCHING} cells
+ * cells within the radius, exact to 1e-9 m. Where the radius is under {@link #TOUCHING} cells
  * the cells whose open inside such an outline crosses are taken too, so that no wall is so thin that a
  * step leads through it. Source: Unified section 6.2 (C-obstacles).
  */
