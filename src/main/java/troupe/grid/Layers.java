@@ -13,7 +13,6 @@ import java.util.Arrays;
  */
 public final class Layers {
     private static final int NONE = -1;
-    private static final int UNVISITED = -2;
 
     private final Spans spans;
     private final double stepHeight;
@@ -28,7 +27,7 @@ public final class Layers {
         this.stepHeight = stepHeight;
         this.bodyHeight = bodyHeight;
         this.layers = new int[spans.size()];
-        new Growth().run();
+        new Numbering().run();
     }
 
     /** Returns the number of layers. */
@@ -51,80 +50,114 @@ public final class Layers {
         return highest[layer];
     }
 
-    /** Grows the layers one after another; holds what is needed only meanwhile. */
-    private final class Growth {
+    /**
+     * Numbers the layers; holds what is needed only meanwhile. Pieces that hang together and lie over no
+     * cell twice are layers as they are; only others are grown span by span.
+     */
+    private final class Numbering {
         private final int cells = spans.frame().size();
         private final int cols = spans.frame().cols();
         private final int[] at = spans.columnAt();
-        private final int[] queue = new int[spans.size()];
+        private final int sheets = spans.sheets();
+        private final LinkedStretches stretches = new LinkedStretches(spans, stepHeight, bodyHeight);
+        private final boolean[] overlapping = stretches.overlapping();
+        private final int[] layerOf = new int[overlapping.length];
+        private int[] queue = {};
 
-        /** The last layer that took each cell; empty where no cell holds two spans. */
-        private final int[] taken = new int[spans.sheets() == 1 ? 0 : cells];
+        /** The last layer that took each cell; empty until a layer has to be grown. */
+        private int[] taken = {};
 
         private int tail;
 
         void run() {
-            Arrays.fill(taken, NONE);
-            for (int sheet = 0; sheet < spans.sheets(); sheet++) {
-                for (int cell = 0; cell < cells; cell++) {
-                    layers[sheet * cells + cell] = spans.level(at[cell], sheet) >= 0 ? UNVISITED : NONE;
+            Arrays.fill(layers, NONE);
+            for (int segment = 0; segment < stretches.segments(); segment++) {
+                boolean grows = false;
+                for (int sheet = 0; sheet < sheets; sheet++) {
+                    grows |= overlapping[stretches.root(segment * sheets + sheet)];
                 }
-            }
-            for (int cell = 0; cell < cells; cell++) {
-                for (int seed = cell; seed < layers.length; seed += cells) {
-                    if (layers[seed] == UNVISITED) {
-                        grow(seed, cell);
-                    }
+                int last = grows ? stretches.start(segment + 1) - 1 : stretches.start(segment);
+                for (int cell = stretches.start(segment); cell <= last; cell++) {
+                    number(segment, cell);
                 }
             }
         }
 
-        private void grow(int seed, int seedCell) {
+        /** Numbers, at the first cell of a segment, its whole stretches, and at each cell spans that have to be grown. */
+        private void number(int segment, int cell) {
+            int column = stretches.column(segment);
+            for (int sheet = 0; sheet < sheets && spans.level(column, sheet) >= 0; sheet++) {
+                int stretch = segment * sheets + sheet;
+                int root = stretches.root(stretch);
+                if (overlapping[root]) {
+                    if (layers[sheet * cells + cell] == NONE) {
+                        grow(sheet * cells + cell, cell);
+                    }
+                } else if (cell == stretches.start(segment)) {
+                    if (root == stretch) {
+                        layerOf[root] = begin();
+                    }
+                    int base = sheet * cells;
+                    Arrays.fill(layers, base + cell, base + stretches.start(segment + 1), layerOf[root]);
+                    extend(layerOf[root], spans.floor(column, sheet));
+                }
+            }
+        }
+
+        /** Begins a layer; returns its number. */
+        private int begin() {
             if (count == lowest.length) {
                 lowest = Arrays.copyOf(lowest, 2 * count);
                 highest = Arrays.copyOf(highest, 2 * count);
             }
-            lowest[count] = spans.floor(seed);
-            highest[count] = spans.floor(seed);
+            lowest[count] = Double.POSITIVE_INFINITY;
+            highest[count] = Double.NEGATIVE_INFINITY;
+            return count++;
+        }
+
+        private void extend(int layer, double floor) {
+            lowest[layer] = Math.min(lowest[layer], floor);
+            highest[layer] = Math.max(highest[layer], floor);
+        }
+
+        private void grow(int seed, int seedCell) {
+            if (taken.length == 0) {
+                taken = new int[cells];
+                Arrays.fill(taken, NONE);
+                queue = new int[spans.size()];
+            }
+            int layer = begin();
             tail = 0;
-            join(seed, seedCell);
+            enqueue(seed, seedCell, layer);
             for (int head = 0; head < tail; head++) {
                 int span = queue[head];
-                int cell = taken.length == 0 ? span : span % cells;
-                visit(span, cell, cell + 1);
-                visit(span, cell, cell + cols);
-                visit(span, cell, cell - 1);
-                visit(span, cell, cell - cols);
+                int cell = span % cells;
+                visit(span, cell, cell + 1, layer);
+                visit(span, cell, cell + cols, layer);
+                visit(span, cell, cell - 1, layer);
+                visit(span, cell, cell - cols, layer);
             }
-            count++;
         }
 
         /** Lets the span over the cell {@code to} that is linked to {@code span} join. */
-        private void visit(int span, int cell, int to) {
+        private void visit(int span, int cell, int to, int layer) {
             int target = span - cell + to;
-            boolean changes = at[to] != at[cell];
-            if (changes) {
+            if (at[to] != at[cell]) {
                 int sheet = spans.linked(at[cell], (span - cell) / cells, at[to], stepHeight, bodyHeight);
                 if (sheet < 0) {
                     return;
                 }
                 target = sheet * cells + to;
             }
-            if (layers[target] != UNVISITED || taken.length > 0 && taken[to] == count) {
-                return;
+            if (layers[target] == NONE && taken[to] != layer) {
+                enqueue(target, to, layer);
             }
-            if (changes) {
-                lowest[count] = Math.min(lowest[count], spans.floor(target));
-                highest[count] = Math.max(highest[count], spans.floor(target));
-            }
-            join(target, to);
         }
 
-        private void join(int span, int cell) {
-            layers[span] = count;
-            if (taken.length > 0) {
-                taken[cell] = count;
-            }
+        private void enqueue(int span, int cell, int layer) {
+            layers[span] = layer;
+            extend(layer, spans.floor(at[cell], (span - cell) / cells));
+            taken[cell] = layer;
             queue[tail++] = span;
         }
     }

@@ -150,7 +150,54 @@ class StepsPropertyTest {
                 }
             }
             assertEquals(layers.count(), met);
+            assertEquals(grown(spans, actor), numbers(layers, spans), "seed " + seed);
         }
+    }
+
+    private static List<Integer> numbers(Layers layers, Spans spans) {
+        List<Integer> numbers = new ArrayList<>();
+        for (int span = 0; span < spans.size(); span++) {
+            numbers.add(layers.layer(span));
+        }
+        return numbers;
+    }
+
+    /** Grows layers breadth-first, one span at a time, as the description says. */
+    private static List<Integer> grown(Spans spans, Actor actor) {
+        int cells = spans.frame().size();
+        double body = actor.vault().map(v -> Math.min(v.bodyHeight(), actor.bodyHeight())).orElse(actor.bodyHeight());
+        List<Integer> layer = new ArrayList<>(java.util.Collections.nCopies(spans.size(), -1));
+        int count = 0;
+        for (int cell = 0; cell < cells; cell++) {
+            for (int seed = cell; seed < spans.size(); seed += cells) {
+                if (!spans.exists(seed) || layer.get(seed) >= 0) {
+                    continue;
+                }
+                TreeSet<Integer> taken = new TreeSet<>(List.of(cell));
+                java.util.ArrayDeque<Integer> queue = new java.util.ArrayDeque<>(List.of(seed));
+                layer.set(seed, count);
+                while (!queue.isEmpty()) {
+                    int span = queue.remove();
+                    for (int d = 0; d < 4; d++) {
+                        int to = span % cells + spans.frame().offsets()[d];
+                        for (int next = to; next < spans.size(); next += cells) {
+                            if (spans.exists(next)
+                                    && layer.get(next) < 0
+                                    && Math.abs(spans.floor(next) - spans.floor(span)) <= actor.stepHeight() + 1e-9
+                                    && Math.min(spans.ceiling(next), spans.ceiling(span))
+                                                    - Math.max(spans.floor(next), spans.floor(span))
+                                            >= body - 1e-9
+                                    && taken.add(to)) {
+                                layer.set(next, count);
+                                queue.add(next);
+                            }
+                        }
+                    }
+                }
+                count++;
+            }
+        }
+        return layer;
     }
 
     @Test
