@@ -201,8 +201,7 @@ final class CellRuns {
     }
 
     /** Adds the run between two x after moving its ends to where the distance itself says. */
-    private void addExact(
-            int row, double low, double high, double ax, double ay, double bx, double by, double square) {
+    private void addExact(int row, double low, double high, double ax, double ay, double bx, double by, double square) {
         double y = frame.centreY(row);
         int first = Math.max(0, (int) ((low - frame.originX()) / frame.cell() - 0.5));
         int last = Math.min(frame.cols() - 1, (int) ((high - frame.originX()) / frame.cell() + 0.5));

@@ -172,7 +172,11 @@ final class Pruning {
             int dy = endRows[n] - row;
             if ((double) dx * dx + (double) dy * dy <= squared
                     && (dx | dy) != 0
-                    && anyLeft(Math.min(col, col + dx), Math.min(row, row + dy), Math.max(col, col + dx), Math.max(row, row + dy))
+                    && anyLeft(
+                            Math.min(col, col + dx),
+                            Math.min(row, row + dy),
+                            Math.max(col, col + dx),
+                            Math.max(row, row + dy))
                     && Straight.passes(row * cols + col, dx, dy, cols, candidate)) {
                 Straight.passes(row * cols + col, dx, dy, cols, keep);
             }

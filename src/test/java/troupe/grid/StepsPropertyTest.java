@@ -165,7 +165,9 @@ class StepsPropertyTest {
     /** Grows layers breadth-first, one span at a time, as the description says. */
     private static List<Integer> grown(Spans spans, Actor actor) {
         int cells = spans.frame().size();
-        double body = actor.vault().map(v -> Math.min(v.bodyHeight(), actor.bodyHeight())).orElse(actor.bodyHeight());
+        double body = actor.vault()
+                .map(v -> Math.min(v.bodyHeight(), actor.bodyHeight()))
+                .orElse(actor.bodyHeight());
         List<Integer> layer = new ArrayList<>(java.util.Collections.nCopies(spans.size(), -1));
         int count = 0;
         for (int cell = 0; cell < cells; cell++) {
