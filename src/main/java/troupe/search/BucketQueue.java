@@ -15,7 +15,7 @@ import java.util.function.IntPredicate;
  * that no order is lost by rounding.
  */
 public final class BucketQueue implements OpenList {
-    private static final int BUCKETS = 1024;
+    private static final int BUCKETS = 256;
     private static final int MASK = BUCKETS - 1;
 
     private final IntPredicate outdated;
@@ -181,7 +181,7 @@ public final class BucketQueue implements OpenList {
         current.heapify();
     }
 
-    /** Returns how many buckets ahead the next filled one lies, 1 to 1,023, or 0 if the ring is empty. */
+    /** Returns how many buckets ahead the next filled one lies, 1 to 255, or 0 if the ring is empty. */
     private int nextFilled() {
         int first = ((int) reached + 1) & MASK;
         long word = filled[first >> 6] & (-1L << first);

@@ -179,7 +179,7 @@ final class CostToGo implements Expander {
             int from = to + offsets[direction];
             int stamp = stamps[from];
             if (stamp != isSettled) {
-                int common = abilities & local[from] >> JourneyWorkspace.ABILITIES;
+                int common = calm ? abilities : abilities & local[from] >> JourneyWorkspace.ABILITIES;
                 long next = cost + standing[common << 1 | direction >> 2];
                 if (next < JourneyCosts.BLOCKED && (stamp < isOpen || next < toGo[from])) {
                     stamps[from] = isOpen + (calm ? direction : ANY);

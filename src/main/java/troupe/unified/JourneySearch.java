@@ -90,9 +90,14 @@ public final class JourneySearch implements Expander {
      * Does at most {@code budget} expansions, those of the cost to go included. The result does not depend
      * on how the work is sliced.
      *
+     * @param budget at least 1
+     * @throws IllegalArgumentException if the budget is below 1
      * @throws IllegalStateException if another search has taken over the workspace
      */
     public Outcome step(long budget) {
+        if (budget < 1) {
+            throw new IllegalArgumentException("budget=" + budget + "; needs at least 1");
+        }
         work.check(generation);
         long left = budget;
         while (left > 0 && search.outcome().isRunning()) {

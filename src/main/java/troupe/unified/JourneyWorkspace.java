@@ -110,7 +110,7 @@ public final class JourneyWorkspace {
             generation = 0;
         }
         generation++;
-        int shift = Math.max(0, costs.unitBits() - 8);
+        int shift = Math.max(0, costs.unitBits() - 6);
         if (queueBits != shift) {
             queueBits = shift;
             forward = new BucketQueue(shift, label -> labels.next(label) == DOMINATED);
