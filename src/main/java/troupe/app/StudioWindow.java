@@ -61,7 +61,7 @@ final class StudioWindow {
     private record Content(
             Canvas canvas,
             Commands commands,
-            List<AutoCloseable> parts,
+            List<Runnable> closing,
             OutlinePanel outline,
             InspectorPanel inspector,
             TimelinePanel timeline,
@@ -172,15 +172,21 @@ final class StudioWindow {
         all.add(body(made, outline, canvas, inspector, timeline), BorderLayout.CENTER);
         all.add(status, BorderLayout.SOUTH);
         frame.setContentPane(all);
-        Content built = new Content(
+        return new Content(
                 canvas,
                 commands,
-                List.of(canvas, made, outline, inspector, timeline, status, chips),
+                List.of(
+                        canvas::close,
+                        made::close,
+                        outline::close,
+                        inspector::close,
+                        timeline::close,
+                        status::close,
+                        chips::close),
                 outline,
                 inspector,
                 timeline,
                 status);
-        return built;
     }
 
     private JComponent body(
@@ -199,13 +205,7 @@ final class StudioWindow {
     }
 
     private static void dispose(Content old) {
-        for (AutoCloseable part : old.parts()) {
-            try {
-                part.close();
-            } catch (Exception e) {
-                throw new IllegalStateException("a part of the window could not be closed", e);
-            }
-        }
+        old.closing().forEach(Runnable::run);
     }
 
     /** Shows everything in another theme. */

@@ -21,6 +21,7 @@ final class CanvasMouse extends MouseAdapter {
     private final PanTool pan;
     private boolean space;
     private Tool working;
+    private int button;
 
     CanvasMouse(Canvas canvas) {
         this.canvas = canvas;
@@ -83,6 +84,7 @@ final class CanvasMouse extends MouseAdapter {
             working = canvas.tool();
         }
         if (working != null) {
+            button = event.getButton();
             working.press(pointer(event));
             canvas.repaint();
         }
@@ -100,8 +102,8 @@ final class CanvasMouse extends MouseAdapter {
     @Override
     public void mouseReleased(MouseEvent event) {
         Tool tool = working;
-        working = null;
-        if (tool != null) {
+        if (tool != null && event.getButton() == button) {
+            working = null;
             tool.release(pointer(event));
             canvas.repaint();
         }
