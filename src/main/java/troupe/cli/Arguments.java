@@ -1,5 +1,7 @@
 package troupe.cli;
 
+import java.nio.file.FileSystemException;
+import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -147,5 +149,18 @@ final class Arguments {
         } catch (InvalidPathException e) {
             throw new UsageException("'" + word + "' is no name of a file", e);
         }
+    }
+
+    /**
+     * Makes the path of a file that is to be read.
+     *
+     * @throws FileSystemException if it is a folder
+     */
+    static Path input(String word) throws UsageException, FileSystemException {
+        Path file = path(word);
+        if (Files.isDirectory(file)) {
+            throw new FileSystemException(word, null, "is a folder; needs a file");
+        }
+        return file;
     }
 }

@@ -184,7 +184,7 @@ final class BatchCommand implements Command {
 
     private static int problems(Arguments arguments, Terminal terminal)
             throws UsageException, ExchangeException, IOException {
-        MovingAiMap map = MovingAiMap.read(Arguments.path(arguments.only("MAP.map")));
+        MovingAiMap map = MovingAiMap.read(Arguments.input(arguments.only("MAP.map")));
         ProblemBatch batch = problemBatch(map, arguments);
         int jobs = jobs(arguments, 1);
         ProblemTable table = new ProblemTable(batch);
@@ -205,7 +205,7 @@ final class BatchCommand implements Command {
             throws UsageException, ExchangeException, IOException {
         try {
             return new ProblemBatch(
-                    map, MovingAiProblems.read(Arguments.path(arguments.needed("--problems", "MAP.scen"))));
+                    map, MovingAiProblems.read(Arguments.input(arguments.needed("--problems", "MAP.scen"))));
         } catch (IllegalArgumentException e) {
             throw new UsageException(e.getMessage(), e);
         }

@@ -58,7 +58,7 @@ final class ExportCommand implements Command {
     @Override
     public int run(Arguments arguments, Terminal terminal)
             throws UsageException, RunException, ExchangeException, IOException {
-        Path file = Arguments.path(arguments.only("FILE.run"));
+        Path file = Arguments.input(arguments.only("FILE.run"));
         String target = arguments.needed("-o", "FILE");
         Exporter exporter = exporter(arguments, target);
         ExportSettings settings = settings(arguments);

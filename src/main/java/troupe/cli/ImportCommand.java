@@ -47,7 +47,7 @@ final class ImportCommand implements Command {
 
     @Override
     public int run(Arguments arguments, Terminal terminal) throws UsageException, ExchangeException, IOException {
-        Path file = Arguments.path(arguments.only("FILE"));
+        Path file = Arguments.input(arguments.only("FILE"));
         arguments.needed("-o", "SCENE.xml");
         Scene scene = importer(arguments, file).read(file);
         Output.write(arguments, terminal, out -> out.print(SceneXml.write(scene)));

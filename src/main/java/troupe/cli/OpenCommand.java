@@ -36,7 +36,7 @@ final class OpenCommand implements Command {
     @Override
     public int run(Arguments arguments, Terminal terminal) throws UsageException, SceneException, IOException {
         Optional<Path> file =
-                arguments.count() == 0 ? Optional.empty() : Optional.of(Arguments.path(arguments.only("FILE")));
+                arguments.count() == 0 ? Optional.empty() : Optional.of(Arguments.input(arguments.only("FILE")));
         if (file.isPresent() && !Files.exists(file.get())) {
             throw new NoSuchFileException(file.get().toString());
         }

@@ -40,7 +40,7 @@ final class ReplayCommand implements Command {
     @Override
     public int run(Arguments arguments, Terminal terminal)
             throws UsageException, RunException, ExchangeException, IOException {
-        Path file = Arguments.path(arguments.only("FILE.run"));
+        Path file = Arguments.input(arguments.only("FILE.run"));
         Optional<Double> at = arguments.number("--at");
         if (at.isPresent() && !arguments.has("--png")) {
             throw new UsageException("--at says what --png shows, and --png is missing");

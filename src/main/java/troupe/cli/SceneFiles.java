@@ -22,7 +22,7 @@ final class SceneFiles {
 
     /** Reads a scene from a file, or from standard input for {@code -}. */
     static SceneSource read(String word, Terminal terminal) throws UsageException, SceneException, IOException {
-        return word.equals("-") ? SceneXml.read(terminal.in(), "standard input") : SceneXml.read(Arguments.path(word));
+        return word.equals("-") ? SceneXml.read(terminal.in(), "standard input") : SceneXml.read(Arguments.input(word));
     }
 
     /** Tells every error of a scene and returns whether there was one. */

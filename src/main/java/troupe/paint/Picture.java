@@ -211,15 +211,24 @@ public record Picture(
         Labels labels = new Labels();
         painter.paintGround(g, view);
         painter.paintObstacles(g, view);
+        Graphics2D inside = (Graphics2D) g.create();
+        inside.clip(sceneBox(width));
+        boolean fields = false;
         for (Overlay overlay : overlays) {
-            Graphics2D inside = (Graphics2D) g.create();
-            inside.clip(sceneBox(width));
-            new OverlayPainter(overlay, theme, filled).paint(inside, view);
-            inside.dispose();
             if (overlay instanceof Overlay.Field) {
-                painter.paintOutlines(g, view);
+                new OverlayPainter(overlay, theme, filled).paint(inside, view);
+                fields = true;
             }
         }
+        if (fields) {
+            painter.paintOutlines(inside, view);
+        }
+        for (Overlay overlay : overlays) {
+            if (!(overlay instanceof Overlay.Field)) {
+                new OverlayPainter(overlay, theme, filled).paint(inside, view);
+            }
+        }
+        inside.dispose();
         Optional<RunPainter> runPainter = run.map(r -> new RunPainter(r, theme));
         runPainter.ifPresent(p -> {
             p.paintLegs(g, view);

@@ -10,6 +10,7 @@ import java.time.LocalDateTime;
 import java.util.ArrayList;
 import java.util.HexFormat;
 import java.util.List;
+import java.util.zip.Deflater;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
 import troupe.scene.AtomicFile;
@@ -58,6 +59,8 @@ public final class RunFile {
             throw new IllegalArgumentException(parts + " s of frames; a run file holds " + (RunArchive.MAX_PARTS - 2));
         }
         ZipOutputStream zip = new ZipOutputStream(out, StandardCharsets.UTF_8);
+        // frames hardly shrink further at a higher level, and a long run is written many times faster
+        zip.setLevel(Deflater.BEST_SPEED);
         byte[] scene = SceneXml.write(run.scene()).getBytes(StandardCharsets.UTF_8);
         put(zip, "scene.xml", scene);
         MessageDigest digest = Digest.begin(frames.channels(), frames.rate(), frames.count());

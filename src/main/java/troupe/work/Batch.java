@@ -9,8 +9,11 @@ import troupe.run.Digest;
 import troupe.run.Engine;
 import troupe.run.Report;
 import troupe.run.Run;
+import troupe.scene.Problem;
 import troupe.scene.Scene;
+import troupe.scene.SceneChecks;
 import troupe.scene.Settings;
+import troupe.scene.Severity;
 import troupe.search.Outcome;
 
 /**
@@ -46,10 +49,10 @@ public final class Batch {
     private final List<Case> cases;
 
     /**
-     * Makes a batch and tries every combination of settings once.
+     * Makes a batch and checks the scene that every combination of settings gives.
      *
-     * @throws IllegalArgumentException if a setting is unknown or refuses a value, or there are more than
-     *     {@link #MAX_CASES} combinations
+     * @throws IllegalArgumentException if a setting is unknown or refuses a value, a combination makes the scene
+     *     wrong, or there are more than {@link #MAX_CASES} combinations
      */
     public Batch(Scene scene, String task, List<Axis> axes, List<Long> seeds) {
         this.scene = scene;
@@ -65,7 +68,23 @@ public final class Batch {
         List<Case> all = new ArrayList<>();
         combine(new ArrayList<>(), seeds, all);
         this.cases = List.copyOf(all);
-        cases.forEach(this::scene);
+        cases.stream().filter(one -> one.seed() == cases.get(0).seed()).forEach(this::check);
+    }
+
+    private void check(Case one) {
+        for (Problem problem : SceneChecks.check(scene(one))) {
+            if (problem.severity() == Severity.ERROR) {
+                throw new IllegalArgumentException(settings(one) + ": " + problem.describe());
+            }
+        }
+    }
+
+    private String settings(Case one) {
+        List<String> words = new ArrayList<>();
+        for (int i = 0; i < axes.size(); i++) {
+            words.add(axes.get(i).key() + "=" + one.values().get(i));
+        }
+        return String.join(" ", words);
     }
 
     private void combine(List<String> chosen, List<Long> seeds, List<Case> all) {

@@ -72,6 +72,7 @@ class CommandLineTest {
         assertUse("--show", "fields", scene, "--show", "colour", "-o", folder.toString());
         assertUse("-o", "fields", scene);
         assertUse("--vary", "batch", scene, "--vary", "seed");
+        assertUse("preference.walk=off: ", "batch", scene, "--task", "round", "--vary", "preference.walk=1,off");
         assertUse("--seeds", "batch", scene, "--seeds", "9..1");
         assertUse("--problems", "batch", scene, "--problems", "x", "--seeds", "1..2");
         assertUse("there is no folder", "record", folder.resolve("none").toString());
@@ -94,6 +95,9 @@ class CommandLineTest {
         String noRun = written("no.run", "nothing");
         assertInput("there is no file", "run", folder.resolve("none.xml").toString());
         assertInput("there is no file", "open", folder.resolve("none.xml").toString());
+        for (String command : List.of("run", "check", "replay", "batch", "open")) {
+            assertInput(folder + ": is a folder; needs a file", command, folder.toString());
+        }
         assertInput("broken.xml", "run", broken);
         assertInput("broken.xml", "check", broken);
         assertInput("wall", "run", twisted);
