@@ -4,7 +4,30 @@ import troupe.scene.SceneChecks.Findings;
 
 /** Checks the numbers of actors, alone and against each other. */
 final class ActorRules {
+    /** The longest stride or vault in metres; no body is near it, and the work of finding crossings grows with it. */
+    private static final double LONGEST = 10;
+
+    /** The longest stride or vault in cells. */
+    private static final double MOST_CELLS = 1_000;
+
     private ActorRules() {}
+
+    static void crossings(Scene scene, Findings findings) {
+        double most = Math.min(LONGEST, MOST_CELLS * scene.world().cell());
+        for (Actor actor : scene.actors()) {
+            actor.stride().ifPresent(s -> crossing(findings, actor.id(), "stride.gait", s.gait(), most));
+            actor.vault().ifPresent(v -> crossing(findings, actor.id(), "vault.reach", v.reach(), most));
+        }
+    }
+
+    private static void crossing(Findings findings, String id, String name, double length, double most) {
+        if (length > most) {
+            findings.error(
+                    id,
+                    name + " " + Numbers.text(length) + " is above " + Numbers.text(most),
+                    "lower it; at most " + Numbers.text(LONGEST) + " m and " + Numbers.text(MOST_CELLS) + " cells");
+        }
+    }
 
     static void numbers(Scene scene, Findings findings) {
         for (Actor actor : scene.actors()) {

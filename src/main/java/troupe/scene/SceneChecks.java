@@ -23,6 +23,7 @@ public final class SceneChecks {
             ShapeRules::stretches,
             ActorRules::numbers,
             ActorRules::relations,
+            ActorRules::crossings,
             JourneyRules::actors,
             JourneyRules::places,
             JourneyRules::budgets,

@@ -112,6 +112,8 @@ class SceneChecksTest {
                 "<actor id=\"a\"><walk speed=\"0\"/></actor>",
                 "<actor id=\"a\"><walk/><vault minHeight=\"0.2\"/></actor>",
                 "<actor id=\"a\"><walk/><vault minHeight=\"1.2\"/></actor>",
+                "<actor id=\"a\"><walk/><stride gait=\"800\"/></actor>",
+                "<actor id=\"a\"><walk/><vault reach=\"11\"/></actor>",
                 "<actor id=\"a\"><walk radius=\"NaN\"/></actor>");
     }
 
