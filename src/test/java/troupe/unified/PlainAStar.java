@@ -7,7 +7,7 @@ import java.util.Arrays;
  * eighth of a step, each a stack; a place is expanded again when it is reached more cheaply. It knows
  * nothing but free and blocked cells, and is what the planner's speed is measured against.
  */
-final class PlainAStar {
+public final class PlainAStar {
     private static final double ROOT = Math.sqrt(2);
     private static final double PER_STEP = 8;
 
@@ -24,7 +24,7 @@ final class PlainAStar {
     private long expanded;
 
     /** Makes a search over cells, row-major, with a border of blocked ones. */
-    PlainAStar(boolean[] free, int cols) {
+    public PlainAStar(boolean[] free, int cols) {
         this.free = free;
         this.cols = cols;
         costs = new double[free.length];
@@ -35,12 +35,12 @@ final class PlainAStar {
     }
 
     /** Returns the places expanded by the last call. */
-    long expanded() {
+    public long expanded() {
         return expanded;
     }
 
     /** Returns the length of a shortest way in cells, infinite if there is none. */
-    double length(int start, int goal) {
+    public double length(int start, int goal) {
         generation++;
         expanded = 0;
         Arrays.fill(counts, 0);

@@ -1,4 +1,4 @@
-package troupe.unified;
+package troupe.bench;
 
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -10,10 +10,15 @@ import troupe.exchange.MovingAiProblems;
 import troupe.grid.Region;
 import troupe.scene.Actor;
 import troupe.scene.Preferences;
+import troupe.unified.JourneyCosts;
+import troupe.unified.JourneyQuery;
+import troupe.unified.JourneySearch;
+import troupe.unified.JourneyWorkspace;
+import troupe.unified.PlainAStar;
 
 /**
  * Times the planner on the longest problems of grid maps against {@link PlainAStar} in the same process,
- * and checks every length. Run with the paths of {@code .map} files; each has its {@code .map.scen} beside
+ * and checks every length against it. Run with the paths of {@code .map} files; each has its {@code .map.scen} beside
  * it. Prints a line for each map: median microseconds of both and their ratio, and median expansions.
  */
 final class MovingAiComparison {
@@ -23,50 +28,15 @@ final class MovingAiComparison {
     private MovingAiComparison() {}
 
     public static void main(String[] arguments) throws Exception {
-        boolean all = arguments.length > 0 && arguments[0].equals("--all");
-        for (String name : Arrays.copyOfRange(arguments, all ? 1 : 0, arguments.length)) {
+        for (String name : arguments) {
             MovingAiMap map = MovingAiMap.read(Path.of(name));
             List<MovingAiProblems.Problem> problems = MovingAiProblems.read(Path.of(name + ".scen"));
             long begin = System.nanoTime();
             Region region = Region.of(map.scene(), Actor.walker("walker", 0, 0));
             double millis = (System.nanoTime() - begin) / 1e6;
             System.out.printf(Locale.ROOT, "%s: region in %.1f ms%n", map.name(), millis);
-            if (all) {
-                verify(region, problems);
-            }
             compare(region, problems);
         }
-    }
-
-    private static void verify(Region region, List<MovingAiProblems.Problem> problems) {
-        JourneyWorkspace work = new JourneyWorkspace(region);
-        int wrong = 0;
-        double worst = 0;
-        long begin = System.nanoTime();
-        for (MovingAiProblems.Problem problem : problems) {
-            double off = Math.abs(length(work, problem) - problem.length());
-            worst = Math.max(worst, off);
-            wrong += off <= 0.01 + 1e-5 * problem.length() ? 0 : 1;
-        }
-        double seconds = (System.nanoTime() - begin) / 1e9;
-        System.out.printf(
-                Locale.ROOT,
-                "  all %d problems in %.1f s, %d wrong, farthest off %g%n",
-                problems.size(),
-                seconds,
-                wrong,
-                worst);
-    }
-
-    private static double length(JourneyWorkspace work, MovingAiProblems.Problem problem) {
-        Region region = work.region();
-        int start = region.locate(problem.start());
-        int goal = region.locate(problem.goal());
-        JourneyCosts costs = new JourneyCosts(
-                region.actor(), Preferences.NEUTRAL, region.frame().cell());
-        JourneySearch search = new JourneySearch(work, costs, JourneyQuery.optimal(start, goal));
-        search.step(Long.MAX_VALUE);
-        return search.path().map(JourneyPath::length).orElse(Double.POSITIVE_INFINITY);
     }
 
     private static void compare(Region region, List<MovingAiProblems.Problem> problems) {
