@@ -9,8 +9,12 @@ module troupe {
     exports troupe.scene;
     exports troupe.search;
     exports troupe.grid;
+    exports troupe.grid.field;
+    exports troupe.grid.layer;
+    exports troupe.grid.region;
     exports troupe.run;
     exports troupe.unified;
+    exports troupe.unified.search;
     exports troupe.paint;
     exports troupe.exchange;
     exports troupe.work;

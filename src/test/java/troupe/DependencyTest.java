@@ -16,6 +16,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -78,6 +79,28 @@ class DependencyTest {
             }
         }
         assertEquals(List.of(), offending);
+    }
+
+    @Test
+    void packagesFormNoCycle() throws URISyntaxException {
+        Map<String, Set<String>> below = new TreeMap<>();
+        for (Use use : uses()) {
+            String from = folderOf(use.from());
+            String to = folderOf(use.to());
+            if (use.to().startsWith("troupe.") && !from.equals(to)) {
+                below.computeIfAbsent(from, f -> new TreeSet<>()).add(to);
+            }
+        }
+        boolean taken = true;
+        while (taken) {
+            Set<String> left = Set.copyOf(below.keySet());
+            taken = below.values().removeIf(uses -> uses.stream().noneMatch(left::contains));
+        }
+        assertEquals(Map.of(), below, "each of these uses another of these");
+    }
+
+    private static String folderOf(String type) {
+        return type.substring(0, type.lastIndexOf('.'));
     }
 
     @Test

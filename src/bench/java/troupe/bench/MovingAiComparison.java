@@ -7,14 +7,14 @@ import java.util.List;
 import java.util.Locale;
 import troupe.exchange.MovingAiMap;
 import troupe.exchange.MovingAiProblems;
-import troupe.grid.Region;
+import troupe.grid.region.Region;
 import troupe.scene.Actor;
 import troupe.scene.Preferences;
-import troupe.unified.JourneyCosts;
-import troupe.unified.JourneyQuery;
-import troupe.unified.JourneySearch;
-import troupe.unified.JourneyWorkspace;
-import troupe.unified.PlainAStar;
+import troupe.unified.search.JourneyCosts;
+import troupe.unified.search.JourneyQuery;
+import troupe.unified.search.JourneySearch;
+import troupe.unified.search.JourneyWorkspace;
+import troupe.unified.search.PlainAStar;
 
 /**
  * Times the planner on the longest problems of grid maps against {@link PlainAStar} in the same process,

@@ -12,7 +12,7 @@ import troupe.scene.World;
  * at the cell centres; rows and columns outside the frame are left out. The buffer grows as needed and
  * is meant to be used again after {@link #clear}.
  */
-final class CellRuns {
+public final class CellRuns {
     /** Slack in cells within which a coordinate lies on a cell border. */
     private static final double ON_BORDER = 1e-9;
 
@@ -21,23 +21,23 @@ final class CellRuns {
     private int length;
     private double[] crossings = new double[16];
 
-    CellRuns(GridFrame frame) {
+    public CellRuns(GridFrame frame) {
         this.frame = frame;
     }
 
-    void clear() {
+    public void clear() {
         length = 0;
     }
 
-    int size() {
+    public int size() {
         return length / 2;
     }
 
-    int from(int run) {
+    public int from(int run) {
         return runs[2 * run];
     }
 
-    int to(int run) {
+    public int to(int run) {
         return runs[2 * run + 1];
     }
 
@@ -55,12 +55,12 @@ final class CellRuns {
     }
 
     /** Returns the runs collected, {@code from} and {@code to} in turn; a new array. */
-    int[] copy() {
+    public int[] copy() {
         return Arrays.copyOf(runs, length);
     }
 
     /** Adds runs that {@link #copy} returned for the same frame. */
-    void add(int[] copied) {
+    public void add(int[] copied) {
         if (length + copied.length > runs.length) {
             runs = Arrays.copyOf(runs, 2 * (length + copied.length));
         }
@@ -69,7 +69,7 @@ final class CellRuns {
     }
 
     /** Adds the cells whose centre lies in the world's rectangle. */
-    void inside(World world) {
+    public void inside(World world) {
         int rows = firstRow(world.depth());
         for (int row = Math.max(0, firstRow(0)); row < rows; row++) {
             add(row, firstCol(0), firstCol(world.width()));
@@ -77,7 +77,7 @@ final class CellRuns {
     }
 
     /** Adds the cells whose centre lies in the world's rectangle but nearer than {@code radius} to its edge. */
-    void nearEdge(World world, double radius) {
+    public void nearEdge(World world, double radius) {
         int bottom = Math.max(0, firstRow(0));
         int left = firstCol(0);
         int right = firstCol(world.width());
@@ -96,7 +96,7 @@ final class CellRuns {
     }
 
     /** Adds the cells whose centre is inside the polygon: even-odd, half-open edges, as {@link Polygon#contains}. */
-    void fill(Polygon polygon) {
+    public void fill(Polygon polygon) {
         Box box = polygon.bounds();
         if (crossings.length < polygon.size()) {
             crossings = new double[2 * polygon.size()];
@@ -151,14 +151,14 @@ final class CellRuns {
     }
 
     /** Adds the cells whose centre is nearer than {@code radius} metres to the outline, inside or out. */
-    void near(Polygon polygon, double radius) {
+    public void near(Polygon polygon, double radius) {
         for (int i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
             near(polygon.x(j), polygon.y(j), polygon.x(i), polygon.y(i), radius);
         }
     }
 
     /** Adds the cells whose centre is nearer than {@code radius} metres to the segment {@code a-b}. */
-    void near(double ax, double ay, double bx, double by, double radius) {
+    public void near(double ax, double ay, double bx, double by, double radius) {
         double dx = bx - ax;
         double dy = by - ay;
         double length = Math.sqrt(dx * dx + dy * dy);
@@ -219,14 +219,14 @@ final class CellRuns {
     }
 
     /** Adds the cells whose open inside the outline crosses; an edge along cell borders touches none. */
-    void touch(Polygon polygon) {
+    public void touch(Polygon polygon) {
         for (int i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
             touch(polygon.x(j), polygon.y(j), polygon.x(i), polygon.y(i));
         }
     }
 
     /** Adds the cells whose open inside the segment {@code a-b} crosses, to a slack of 1e-9 cells. */
-    void touch(double ax, double ay, double bx, double by) {
+    public void touch(double ax, double ay, double bx, double by) {
         boolean up = ay <= by;
         double u0 = ((up ? ax : bx) - frame.originX()) / frame.cell();
         double v0 = ((up ? ay : by) - frame.originY()) / frame.cell();

@@ -5,10 +5,10 @@ import java.util.List;
 import troupe.geometry.Box;
 
 /** Holds a rectangle of cells of a frame, with its own row-major index {@code (row - row0) * cols + col - col0}. */
-record Window(int col0, int row0, int cols, int rows) {
+public record Window(int col0, int row0, int cols, int rows) {
 
     /** Makes the window of the cells that a box in metres meets, one more on each side, cut to the frame. */
-    static Window of(GridFrame frame, Box box) {
+    public static Window of(GridFrame frame, Box box) {
         int left = Math.max(0, frame.colAt(box.minX()) - 1);
         int low = Math.max(0, frame.rowAt(box.minY()) - 1);
         int right = Math.min(frame.cols() - 1, frame.colAt(box.maxX()) + 1);
@@ -16,12 +16,12 @@ record Window(int col0, int row0, int cols, int rows) {
         return new Window(left, low, Math.max(0, right - left + 1), Math.max(0, high - low + 1));
     }
 
-    int size() {
+    public int size() {
         return cols * rows;
     }
 
     /** Returns this window grown by {@code margin} cells on each side, cut to the frame. */
-    Window grown(int margin, GridFrame frame) {
+    public Window grown(int margin, GridFrame frame) {
         int left = Math.max(0, col0 - margin);
         int low = Math.max(0, row0 - margin);
         int right = Math.min(frame.cols(), col0 + cols + margin);
@@ -30,7 +30,7 @@ record Window(int col0, int row0, int cols, int rows) {
     }
 
     /** Tells whether the two share a cell. */
-    boolean meets(Window other) {
+    public boolean meets(Window other) {
         return col0 < other.col0 + other.cols
                 && other.col0 < col0 + cols
                 && row0 < other.row0 + other.rows
@@ -38,7 +38,7 @@ record Window(int col0, int row0, int cols, int rows) {
     }
 
     /** Returns the cells that both hold, maybe none. */
-    Window common(Window other) {
+    public Window common(Window other) {
         int left = Math.max(col0, other.col0);
         int low = Math.max(row0, other.row0);
         int right = Math.min(col0 + cols, other.col0 + other.cols);
@@ -47,7 +47,7 @@ record Window(int col0, int row0, int cols, int rows) {
     }
 
     /** Returns the index here of a cell of the frame that lies in this window. */
-    int index(GridFrame frame, int at) {
+    public int index(GridFrame frame, int at) {
         int row = at / frame.cols();
         return (row - row0) * cols + at - row * frame.cols() - col0;
     }
@@ -64,7 +64,7 @@ record Window(int col0, int row0, int cols, int rows) {
      * Returns windows that cover the given ones, two becoming one where that has fewer cells once each is
      * grown by {@code margin}. Cost O(n³) at worst, n windows.
      */
-    static List<Window> merged(List<Window> windows, int margin) {
+    public static List<Window> merged(List<Window> windows, int margin) {
         List<Window> merged = new ArrayList<>();
         for (Window window : windows) {
             Window grown = window;
@@ -85,18 +85,18 @@ record Window(int col0, int row0, int cols, int rows) {
         return (long) (cols + 2 * margin) * (rows + 2 * margin);
     }
 
-    boolean holds(int col, int row) {
+    public boolean holds(int col, int row) {
         return col >= col0 && col < col0 + cols && row >= row0 && row < row0 + rows;
     }
 
     /** Receives the stretches of runs that lie in a window. */
-    interface Stretch {
+    public interface Stretch {
         /** Takes the window indices {@code [from, to)}. */
         void take(int from, int to);
     }
 
     /** Hands on the parts of the runs that lie in this window. */
-    void each(CellRuns runs, GridFrame frame, Stretch stretch) {
+    public void each(CellRuns runs, GridFrame frame, Stretch stretch) {
         for (int i = 0; i < runs.size(); i++) {
             int row = runs.from(i) / frame.cols();
             if (row < row0 || row >= row0 + rows) {
@@ -113,7 +113,7 @@ record Window(int col0, int row0, int cols, int rows) {
     }
 
     /** Returns boxes that cover the given ones and do not meet each other. Cost O(n³) at worst, n boxes. */
-    static List<Box> apart(List<Box> boxes) {
+    public static List<Box> apart(List<Box> boxes) {
         List<Box> apart = new ArrayList<>();
         for (Box box : boxes) {
             Box grown = box;

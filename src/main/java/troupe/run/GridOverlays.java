@@ -6,10 +6,10 @@ import java.util.List;
 import java.util.function.IntPredicate;
 import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
-import troupe.grid.Kind;
-import troupe.grid.Layers;
-import troupe.grid.Nf2;
-import troupe.grid.Region;
+import troupe.grid.field.Nf2;
+import troupe.grid.layer.Layers;
+import troupe.grid.region.Kind;
+import troupe.grid.region.Region;
 import troupe.scene.Ability;
 
 /**

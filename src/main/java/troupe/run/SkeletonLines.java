@@ -5,7 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
-import troupe.grid.Region;
+import troupe.grid.region.Region;
 
 /**
  * Joins the configurations of a skeleton into polylines, from one end or branching to the next. A diagonal

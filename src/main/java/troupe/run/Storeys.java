@@ -6,8 +6,8 @@ import java.util.BitSet;
 import java.util.Comparator;
 import java.util.List;
 import java.util.stream.IntStream;
-import troupe.grid.Layers;
-import troupe.grid.Region;
+import troupe.grid.layer.Layers;
+import troupe.grid.region.Region;
 
 /**
  * Gathers layers that do not lie over each other into storeys, so that a scene of many small layers (the tops

@@ -6,10 +6,10 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import troupe.grid.Layers;
-import troupe.grid.Nf2;
-import troupe.grid.Region;
-import troupe.grid.RegionBuilder;
+import troupe.grid.field.Nf2;
+import troupe.grid.layer.Layers;
+import troupe.grid.region.Region;
+import troupe.grid.region.RegionBuilder;
 import troupe.run.Engine;
 import troupe.run.FrameRecorder;
 import troupe.run.Frames;
@@ -22,6 +22,14 @@ import troupe.scene.Journey;
 import troupe.scene.Ordering;
 import troupe.scene.Scene;
 import troupe.search.Outcome;
+import troupe.unified.motion.Motion;
+import troupe.unified.motion.RouteBuilder;
+import troupe.unified.motion.SweptBody;
+import troupe.unified.search.JourneyCosts;
+import troupe.unified.search.JourneyPath;
+import troupe.unified.search.JourneyQuery;
+import troupe.unified.search.JourneySearch;
+import troupe.unified.search.JourneyWorkspace;
 
 /**
  * Plans a journey: layers, region, where the ordering asks for it NF2, the search, and then the motion of

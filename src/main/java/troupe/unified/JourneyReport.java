@@ -6,6 +6,7 @@ import troupe.run.Frames;
 import troupe.run.Report;
 import troupe.run.Run;
 import troupe.scene.Ability;
+import troupe.unified.search.JourneyPath;
 
 /**
  * Writes the report of a journey. Its keys are the same whether a way was found or not; without a way the

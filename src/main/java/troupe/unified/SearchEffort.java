@@ -4,9 +4,10 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import troupe.grid.GridFrame;
-import troupe.grid.Layers;
-import troupe.grid.Region;
+import troupe.grid.layer.Layers;
+import troupe.grid.region.Region;
 import troupe.run.Overlay;
+import troupe.unified.search.JourneySearch;
 
 /** Shows where a search has worked: how many labels it has made over each cell of each layer. */
 final class SearchEffort {

@@ -11,8 +11,8 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import troupe.geometry.Polygon;
 import troupe.grid.GridFrame;
-import troupe.grid.Reach;
-import troupe.grid.Region;
+import troupe.grid.region.Reach;
+import troupe.grid.region.Region;
 import troupe.scene.Ability;
 import troupe.scene.Actor;
 import troupe.scene.Ditch;
@@ -23,6 +23,10 @@ import troupe.scene.Ordering;
 import troupe.scene.Preferences;
 import troupe.scene.Scene;
 import troupe.search.Outcome;
+import troupe.unified.search.JourneyCosts;
+import troupe.unified.search.JourneyQuery;
+import troupe.unified.search.JourneySearch;
+import troupe.unified.search.JourneyWorkspace;
 
 /**
  * Finds out why there is no way, in words that a person can act on: how far the start reaches, and which

@@ -3,7 +3,7 @@ package troupe.unified;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import troupe.grid.Region;
+import troupe.grid.region.Region;
 import troupe.scene.Actor;
 import troupe.scene.Obstacle;
 import troupe.scene.Place;

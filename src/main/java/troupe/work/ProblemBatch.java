@@ -9,16 +9,16 @@ import java.util.function.Consumer;
 import troupe.exchange.ExchangeException;
 import troupe.exchange.MovingAiMap;
 import troupe.exchange.MovingAiProblems.Problem;
-import troupe.grid.Region;
+import troupe.grid.region.Region;
 import troupe.scene.Actor;
 import troupe.scene.Preferences;
 import troupe.scene.Scene;
 import troupe.search.Outcome;
-import troupe.unified.JourneyCosts;
-import troupe.unified.JourneyPath;
-import troupe.unified.JourneyQuery;
-import troupe.unified.JourneySearch;
-import troupe.unified.JourneyWorkspace;
+import troupe.unified.search.JourneyCosts;
+import troupe.unified.search.JourneyPath;
+import troupe.unified.search.JourneyQuery;
+import troupe.unified.search.JourneySearch;
+import troupe.unified.search.JourneyWorkspace;
 
 /**
  * Solves every problem of a MovingAI scenario over one region of its map, and compares lengths. The

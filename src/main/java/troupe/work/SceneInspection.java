@@ -11,7 +11,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
-import troupe.grid.Region;
+import troupe.grid.region.Region;
 import troupe.scene.Ability;
 import troupe.scene.Actor;
 import troupe.scene.Journey;

@@ -11,8 +11,8 @@ import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
 import troupe.geometry.Polygon;
 import troupe.grid.GridFrame;
-import troupe.grid.RandomScenes;
-import troupe.grid.Region;
+import troupe.grid.region.RandomScenes;
+import troupe.grid.region.Region;
 import troupe.run.Frames;
 import troupe.run.Run;
 import troupe.scene.Actor;
@@ -22,6 +22,8 @@ import troupe.scene.Obstacle;
 import troupe.scene.Place;
 import troupe.scene.Scene;
 import troupe.scene.World;
+import troupe.unified.motion.Motion;
+import troupe.unified.search.JourneyPath;
 
 /** Plans random journeys among walls, low walls, plates, beams and ditches, and replays every frame on the polygons. */
 class JourneyRunPropertyTest {

@@ -1,0 +1,325 @@
+package troupe.grid.region;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import troupe.geometry.Box;
+import troupe.grid.GridFrame;
+import troupe.grid.Morphology;
+import troupe.grid.Window;
+import troupe.grid.layer.Column;
+import troupe.grid.layer.Columns;
+import troupe.grid.layer.Spans;
+import troupe.scene.Ability;
+import troupe.scene.Actor;
+import troupe.scene.Ditch;
+import troupe.scene.Obstacle;
+import troupe.scene.Scene;
+
+/**
+ * Finds the crossings of an actor: per take-off floor the gaps it can stride and the obstacles it can
+ * vault, as far as they lie on a legal straight crossing. Works in windows around the surfaces or obstacles
+ * in question, so that the cost follows what there is to cross.
+ *
+ * <p>Source: Unified section 5 (opening); Li and Huang (gaps by closing); semantics in {@code docs/grid.md}.
+ */
+final class CrossingFinder {
+    private final Scene scene;
+    private final Actor actor;
+    private final Spans spans;
+    private final Columns columns;
+    private final Solids solids;
+    private final byte[] kinds;
+    private final byte[] abilities;
+    private final GridFrame frame;
+    private final double cell;
+    private final int[] columnAt;
+    private final int[] takeOff;
+    private final int[] drops;
+    private long[] found = new long[64];
+    private int count;
+
+    CrossingFinder(Scene scene, Actor actor, Columns columns, Spans spans, Standing standing) {
+        this.scene = scene;
+        this.actor = actor;
+        this.spans = spans;
+        this.columns = columns;
+        this.solids = new Solids(scene, actor, columns, standing.rims(), spans.frame());
+        this.kinds = standing.kinds();
+        this.abilities = standing.abilities();
+        this.frame = spans.frame();
+        this.cell = frame.cell();
+        this.columnAt = spans.columnAt();
+        this.takeOff = new int[4 * spans.levels()];
+        this.drops = new int[spans.levels()];
+        survey();
+    }
+
+    /** Finds all crossings. */
+    Crossings find() {
+        for (int level = 0; level < spans.levels(); level++) {
+            if (takeOff[4 * level + 2] >= takeOff[4 * level]) {
+                if (actor.stride().isPresent()) {
+                    gaps(level, actor.stride().get().gait());
+                }
+                if (actor.vault().isPresent()) {
+                    vaults(level, actor.vault().get());
+                }
+            }
+        }
+        return new Crossings(frame.size(), found, count);
+    }
+
+    /** Finds for each level the cells that bound its take-off places, and how many spans are over a drop. */
+    private void survey() {
+        for (int level = 0; level < spans.levels(); level++) {
+            takeOff[4 * level] = Integer.MAX_VALUE;
+            takeOff[4 * level + 1] = Integer.MAX_VALUE;
+            takeOff[4 * level + 2] = -1;
+            takeOff[4 * level + 3] = -1;
+        }
+        for (int sheet = 0; sheet < spans.sheets(); sheet++) {
+            for (int row = 1; row < frame.rows() - 1; row++) {
+                int base = row * frame.cols();
+                for (int col = 1; col < frame.cols() - 1; col++) {
+                    int q = sheet * frame.size() + base + col;
+                    if (kinds[q] == Kind.ABSENT) {
+                        continue;
+                    }
+                    int level = spans.level(columnAt[base + col], sheet);
+                    if (kinds[q] == Kind.FORBIDDEN) {
+                        drops[level]++;
+                    } else if (takesOff(q)) {
+                        takeOff[4 * level] = Math.min(takeOff[4 * level], col);
+                        takeOff[4 * level + 1] = Math.min(takeOff[4 * level + 1], row);
+                        takeOff[4 * level + 2] = Math.max(takeOff[4 * level + 2], col);
+                        takeOff[4 * level + 3] = row;
+                    }
+                }
+            }
+        }
+    }
+
+    private boolean takesOff(int q) {
+        return kinds[q] == Kind.STABLE && (abilities[q] & Ability.WALK.bit()) != 0;
+    }
+
+    /** Returns per column the sheet of the span within a step of a floor, -1 if there is none. */
+    private int[] sheetsNear(double floor) {
+        int[] sheet = new int[spans.columns()];
+        for (int column = 0; column < sheet.length; column++) {
+            sheet[column] = -1;
+            for (int k = 0; k < spans.sheets(); k++) {
+                if (Math.abs(spans.floor(column, k) - floor) <= actor.stepHeight() + Column.SAME) {
+                    sheet[column] = k;
+                }
+            }
+        }
+        return sheet;
+    }
+
+    private void gaps(int level, double gait) {
+        double floor = spans.elevation(level);
+        int[] sheet = sheetsNear(floor);
+        boolean[] free = new boolean[sheet.length];
+        boolean any = false;
+        for (int column = 0; column < sheet.length; column++) {
+            free[column] = !columns.column(column).meets(floor + actor.stepHeight(), floor + actor.bodyHeight());
+            any |= free[column] && sheet[column] < 0;
+        }
+        for (int other = 0; other < drops.length; other++) {
+            any |= drops[other] > 0 && within(spans.elevation(other), floor);
+        }
+        if (any) {
+            clusters(level, gait).forEach(surface -> gaps(level, gait, surface, sheet, free));
+        }
+    }
+
+    /**
+     * Returns windows around the surfaces within a step of a level that hold take-off places, such that a
+     * crossing of at most {@code limit} metres from that level stays within one of them; they share no cell.
+     */
+    private List<Window> clusters(int level, double limit) {
+        double margin = limit / 2 + 2 * cell;
+        List<Window> windows = new ArrayList<>();
+        for (Box box : Window.apart(surfaces(spans.elevation(level), margin))) {
+            Window window = Window.of(frame, box.grown(-margin));
+            if (window.meets(takeOff(level))) {
+                windows.add(window);
+            }
+        }
+        return windows;
+    }
+
+    /** Returns the window that holds the take-off places of a level. */
+    private Window takeOff(int level) {
+        int col = takeOff[4 * level];
+        int row = takeOff[4 * level + 1];
+        return new Window(col, row, takeOff[4 * level + 2] - col + 1, takeOff[4 * level + 3] - row + 1);
+    }
+
+    private boolean within(double height, double floor) {
+        return Math.abs(height - floor) <= actor.stepHeight() + Column.SAME;
+    }
+
+    /** Returns the boxes of the surfaces within a step of a floor, grown by a margin in metres. */
+    private List<Box> surfaces(double floor, double margin) {
+        if (within(0, floor)) {
+            return List.of(new Box(0, 0, scene.world().width(), scene.world().depth()).grown(margin));
+        }
+        List<Box> boxes = new ArrayList<>();
+        for (Ditch ditch : scene.ditches()) {
+            if (within(-ditch.depth(), floor)) {
+                boxes.add(ditch.outline().bounds().grown(margin));
+            }
+        }
+        for (Obstacle obstacle : scene.obstacles()) {
+            if (!obstacle.movable() && within(obstacle.top(), floor)) {
+                boxes.add(obstacle.outline().bounds().grown(margin));
+            }
+        }
+        return boxes;
+    }
+
+    private void gaps(int level, double gait, Window surface, int[] sheet, boolean[] free) {
+        Window open = outermost(surface, at -> free[columnAt[at]] && !supported(at, sheet));
+        if (open.size() == 0) {
+            return;
+        }
+        Window window = open.grown((int) Math.ceil(gait / cell) + 1, frame).common(surface);
+        byte[] supported = new byte[window.size()];
+        byte[] gap = new byte[window.size()];
+        for (int i = 0, row = 0; row < window.rows(); row++) {
+            int at = (window.row0() + row) * frame.cols() + window.col0();
+            for (int col = 0; col < window.cols(); col++, i++, at++) {
+                supported[i] = (byte) (supported(at, sheet) ? 1 : 0);
+            }
+        }
+        double radius = gait / 2 / cell;
+        new Morphology(window.cols(), window.rows(), radius).close(supported, radius, false, gap);
+        boolean any = false;
+        for (int i = 0; i < gap.length; i++) {
+            boolean candidate = gap[i] != 0 && supported[i] == 0 && free[columnAt[cellOf(window, i)]];
+            gap[i] = (byte) (candidate ? 1 : 0);
+            any |= candidate;
+        }
+        if (any) {
+            solids.clearNear(spans.elevation(level), window, gap);
+            keep(level, Kind.GAP, gait, window, gap, sheet);
+        }
+    }
+
+    private boolean supported(int at, int[] sheet) {
+        int k = sheet[columnAt[at]];
+        return k >= 0 && kinds[k * frame.size() + at] != Kind.FORBIDDEN;
+    }
+
+    /** Says something of a cell of the frame. */
+    private interface Cells {
+        boolean hold(int at);
+    }
+
+    /** Returns the smallest window within another that has all of its cells for which something holds. */
+    private Window outermost(Window within, Cells cells) {
+        int left = Integer.MAX_VALUE;
+        int low = Integer.MAX_VALUE;
+        int right = -1;
+        int high = -1;
+        for (int row = within.row0(); row < within.row0() + within.rows(); row++) {
+            int at = row * frame.cols() + within.col0();
+            for (int col = within.col0(); col < within.col0() + within.cols(); col++, at++) {
+                if (cells.hold(at)) {
+                    left = Math.min(left, col);
+                    right = Math.max(right, col);
+                    low = Math.min(low, row);
+                    high = row;
+                }
+            }
+        }
+        return right < 0 ? new Window(0, 0, 0, 0) : new Window(left, low, right - left + 1, high - low + 1);
+    }
+
+    private int cellOf(Window window, int i) {
+        int row = i / window.cols();
+        return (window.row0() + row) * frame.cols() + window.col0() + i - row * window.cols();
+    }
+
+    private void vaults(int level, Actor.Vault vault) {
+        double floor = spans.elevation(level);
+        List<Box> boxes = solids.vaultable(floor, vault);
+        if (boxes.isEmpty()) {
+            return;
+        }
+        Window reachable = takeOff(level).grown((int) Math.ceil(vault.reach() / cell) + 1, frame);
+        List<Window> clusters = clusters(level, vault.reach());
+        int[] sheet = sheetsNear(floor);
+        List<Window> windows = new ArrayList<>();
+        for (Box box : Window.apart(boxes)) {
+            for (Window cluster : clusters) {
+                Window window = Window.of(frame, box).common(reachable).common(cluster);
+                if (window.size() > 0) {
+                    windows.add(window);
+                }
+            }
+        }
+        int margin = 3 * (int) Math.ceil(vault.reach() / 2 / cell);
+        Window.merged(windows, margin).forEach(window -> vaults(level, vault, window, sheet));
+    }
+
+    private void vaults(int level, Actor.Vault vault, Window inner, int[] sheet) {
+        Window window = inner.grown((int) Math.ceil(vault.reach() / cell) + 1, frame);
+        byte[] vaultable = new byte[window.size()];
+        solids.vaultable(spans.elevation(level), vault, window, vaultable);
+        if (outermost(inner, at -> vaultable[window.index(frame, at)] != 0).size() == 0) {
+            return;
+        }
+        byte[] barred = new byte[window.size()];
+        for (int i = 0; i < barred.length; i++) {
+            int at = cellOf(window, i);
+            int k = sheet[columnAt[at]];
+            boolean walkable = k >= 0 && (abilities[k * frame.size() + at] & Ability.WALK.bit()) != 0;
+            barred[i] = (byte) (vaultable[i] != 0 || !walkable ? 1 : 0);
+        }
+        double radius = vault.reach() / 2 / cell;
+        new Morphology(window.cols(), window.rows(), radius).open(barred, radius, true, barred);
+        boolean any = false;
+        for (int i = 0; i < barred.length; i++) {
+            int row = i / window.cols();
+            boolean candidate = vaultable[i] != 0
+                    && barred[i] == 0
+                    && inner.holds(window.col0() + i - row * window.cols(), window.row0() + row);
+            vaultable[i] = (byte) (candidate ? 1 : 0);
+            any |= candidate;
+        }
+        if (any) {
+            keep(level, Kind.JUMPABLE, vault.reach(), window, vaultable, sheet);
+        }
+    }
+
+    /** Keeps of the candidates in a window what lies on a legal straight crossing. */
+    private void keep(int level, byte kind, double limit, Window window, byte[] candidates, int[] sheet) {
+        Window ends = outermost(window, at -> candidates[window.index(frame, at)] != 0)
+                .grown(1, frame)
+                .common(window);
+        byte[] state = new byte[ends.size()];
+        for (int i = 0; i < state.length; i++) {
+            int at = cellOf(ends, i);
+            int k = sheet[columnAt[at]];
+            int bits = candidates[window.index(frame, at)] != 0 ? Pruning.CANDIDATE : 0;
+            if (k >= 0 && takesOff(k * frame.size() + at)) {
+                bits |= Pruning.END;
+                bits |= spans.level(columnAt[at], k) == level ? Pruning.BEGIN : 0;
+            }
+            state[i] = (byte) bits;
+        }
+        byte[] kept = new Pruning(ends.cols(), ends.rows(), state).kept(Pruning.squaredCells(limit, cell));
+        for (int i = 0; i < kept.length; i++) {
+            if (kept[i] != 0) {
+                if (count == found.length) {
+                    found = Arrays.copyOf(found, 2 * count);
+                }
+                found[count++] = Crossings.key(cellOf(ends, i), level, kind);
+            }
+        }
+    }
+}

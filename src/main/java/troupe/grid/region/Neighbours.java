@@ -1,0 +1,129 @@
+package troupe.grid.region;
+
+import java.util.BitSet;
+import troupe.grid.GridFrame;
+import troupe.grid.layer.Column;
+import troupe.grid.layer.Spans;
+import troupe.scene.Actor;
+
+/** Finds the legal neighbours of configurations that have some on other sheets or crossings near. */
+final class Neighbours {
+    private final GridFrame frame;
+    private final Spans spans;
+    private final Crossings crossings;
+    private final byte[] abilities;
+    private final Joints joints;
+    private final double stepHeight;
+    private final int[] offsets;
+    private final int spanCount;
+
+    Neighbours(Actor actor, Spans spans, Crossings crossings, byte[] abilities, Joints joints) {
+        this.frame = spans.frame();
+        this.spans = spans;
+        this.crossings = crossings;
+        this.abilities = abilities;
+        this.joints = joints;
+        this.stepHeight = actor.stepHeight();
+        this.offsets = frame.offsets();
+        this.spanCount = spans.size();
+        for (int i = 0; i < crossings.size(); i++) {
+            int over = crossings.first(crossings.cell(i) + 1) - crossings.first(crossings.cell(i));
+            if (over >= Region.MAX_NEIGHBOURS / GridFrame.DIRECTIONS) {
+                throw new IllegalArgumentException("cell " + crossings.cell(i) + " lies under " + over
+                        + " crossings; at most " + (Region.MAX_NEIGHBOURS / GridFrame.DIRECTIONS - 1)
+                        + " fit: floors that differ by tiny steps?");
+            }
+        }
+    }
+
+    /** Adds the open spans that may have a crossing for a neighbour. */
+    void markNear(BitSet special) {
+        for (int i = 0; i < crossings.size(); i++) {
+            for (int d = 0; d < GridFrame.DIRECTIONS; d++) {
+                int cell = crossings.cell(i) + offsets[d];
+                for (int q = cell; q < spanCount; q += frame.size()) {
+                    if (abilities[q] != 0 && near(spans.floor(q), i)) {
+                        special.set(q);
+                    }
+                }
+            }
+        }
+    }
+
+    private boolean near(double floor, int crossing) {
+        return Math.abs(floor - spans.elevation(crossings.level(crossing))) <= stepHeight + Column.SAME;
+    }
+
+    /** Finds the legal neighbours of an open configuration, ascending by direction, then id. */
+    int of(int q, int cell, int[] targets, int[] directions) {
+        if (abilities[q] == 0) {
+            return 0;
+        }
+        int count = 0;
+        for (int d = 0; d < GridFrame.DIRECTIONS; d++) {
+            int to = cell + offsets[d];
+            if (q < spanCount) {
+                int target = joints.legal(q, cell, d);
+                if (target >= 0) {
+                    targets[count] = target;
+                    directions[count++] = d;
+                }
+            } else {
+                for (int target = to; target < spanCount; target += frame.size()) {
+                    if (abilities[target] != 0 && legal(q, cell, d, target)) {
+                        targets[count] = target;
+                        directions[count++] = d;
+                    }
+                }
+            }
+            for (int i = crossings.first(to), end = crossings.first(to + 1); i < end; i++) {
+                if (legal(q, cell, d, spanCount + i)) {
+                    targets[count] = spanCount + i;
+                    directions[count++] = d;
+                }
+            }
+        }
+        return count;
+    }
+
+    /** Tells whether the step to a target of which one end is a crossing is legal. */
+    private boolean legal(int q, int cell, int d, int target) {
+        if (!joins(q, cell, target, cell + offsets[d])) {
+            return false;
+        }
+        return d < 4
+                || bridged(q, cell, cell + offsets[d - 4], target, cell + offsets[d])
+                        && bridged(q, cell, cell + offsets[d - 3 & 3], target, cell + offsets[d]);
+    }
+
+    /** Tells whether something over {@code middle} is joined to both ends. */
+    private boolean bridged(int q, int cell, int middle, int target, int to) {
+        for (int s = middle; s < spanCount; s += frame.size()) {
+            if (abilities[s] != 0 && joins(q, cell, s, middle) && joins(s, middle, target, to)) {
+                return true;
+            }
+        }
+        for (int i = crossings.first(middle), end = crossings.first(middle + 1); i < end; i++) {
+            if (joins(q, cell, spanCount + i, middle) && joins(spanCount + i, middle, target, to)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Tells whether two open configurations of neighbouring cells can follow each other. */
+    private boolean joins(int a, int cellA, int b, int cellB) {
+        if (a < spanCount && b < spanCount) {
+            return joints.joined(a, cellA, cellB - cellA) == b;
+        }
+        if (a < spanCount) {
+            return near(spans.floor(a), b - spanCount);
+        }
+        if (b < spanCount) {
+            return near(spans.floor(b), a - spanCount);
+        }
+        int i = a - spanCount;
+        int j = b - spanCount;
+        return crossings.kind(i) == crossings.kind(j) && crossings.level(i) == crossings.level(j);
+    }
+}

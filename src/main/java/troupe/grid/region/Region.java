@@ -1,0 +1,238 @@
+package troupe.grid.region;
+
+import java.util.BitSet;
+import troupe.grid.GridFrame;
+import troupe.grid.layer.Column;
+import troupe.grid.layer.Spans;
+import troupe.scene.Ability;
+import troupe.scene.Actor;
+import troupe.scene.Place;
+import troupe.scene.Scene;
+
+/**
+ * Holds every configuration of one actor profile in a scene, its class, the abilities usable there, and
+ * which steps between configurations are legal. Immutable; may be shared between threads.
+ *
+ * <p>A configuration is an int {@code q}: first the spans, {@code 0 <= q < spanCount()}, numbered
+ * {@code sheet * frame().size() + cell}; then the crossings, {@code spanCount() <= q < size()}. A
+ * configuration is open if some ability can be used there; the reachable region is the open ones.
+ *
+ * <p>Legal steps join open configurations of neighbouring cells. Between spans: floors within a step and
+ * room for the body under both ceilings above the higher one; a diagonal needs both its straight
+ * neighbours open and joined to both ends (on spans). Between a span and a crossing: the span's floor
+ * within a step of the take-off floor. Between crossings: same kind, same take-off floor. A diagonal to or
+ * from a crossing needs, over each straight neighbour, a span or crossing that is joined to both ends. The
+ * relation is symmetric.
+ */
+public final class Region implements StepRelation {
+    /** The most legal neighbours that a configuration has. */
+    public static final int MAX_NEIGHBOURS = 512;
+
+    private final Actor actor;
+    private final GridFrame frame;
+    private final Spans spans;
+    private final Crossings crossings;
+    private final Clearance clearance;
+    private final int cells;
+    private final int spanCount;
+    private final byte[] kinds;
+    private final byte[] abilities;
+    private final byte[] moves;
+    private final BitSet special;
+    private final Neighbours neighbours;
+    private final int[] offsets;
+
+    Region(Actor actor, Spans spans, Standing standing, Crossings crossings, Clearance clearance) {
+        this.actor = actor;
+        this.frame = spans.frame();
+        this.spans = spans;
+        this.crossings = crossings;
+        this.clearance = clearance;
+        this.cells = frame.size();
+        this.spanCount = spans.size();
+        this.kinds = standing.kinds(crossings);
+        this.abilities = standing.abilities(crossings);
+        this.offsets = frame.offsets();
+        Joints joints = new Joints(actor, spans, abilities);
+        Moves steps = new Moves(spans, abilities, joints);
+        steps.compute();
+        this.moves = steps.moves();
+        this.neighbours = new Neighbours(actor, spans, crossings, abilities, joints);
+        this.special = steps.elsewhere();
+        neighbours.markNear(special);
+    }
+
+    /** Builds the region of an actor that has already lost the abilities which preferences switch off. */
+    public static Region of(Scene scene, Actor actor) {
+        return new RegionBuilder(scene, actor).region();
+    }
+
+    /** Returns the actor profile. */
+    public Actor actor() {
+        return actor;
+    }
+
+    /** Returns the frame. */
+    @Override
+    public GridFrame frame() {
+        return frame;
+    }
+
+    /** Returns the spans. */
+    public Spans spans() {
+        return spans;
+    }
+
+    /** Returns the number of span ids; ids from here on are crossings. */
+    public int spanCount() {
+        return spanCount;
+    }
+
+    /** Returns the number of configurations: spans and crossings. */
+    @Override
+    public int size() {
+        return spanCount + crossings.size();
+    }
+
+    /** Returns the cell over which a configuration lies. */
+    @Override
+    public int cell(int q) {
+        if (q < cells) {
+            return q;
+        }
+        return q < spanCount ? q % cells : crossings.cell(q - spanCount);
+    }
+
+    /** Returns the x of a configuration in metres. */
+    public double x(int q) {
+        return frame.centreX(frame.col(cell(q)));
+    }
+
+    /** Returns the y of a configuration in metres. */
+    public double y(int q) {
+        return frame.centreY(frame.row(cell(q)));
+    }
+
+    /** Returns the elevation in metres: the floor of a span, NaN if absent; the take-off floor of a crossing. */
+    public double elevation(int q) {
+        return q < spanCount ? spans.floor(q) : spans.elevation(crossings.level(q - spanCount));
+    }
+
+    /** Returns the class, one of {@link Kind}. */
+    public byte kind(int q) {
+        return kinds[q];
+    }
+
+    /** Returns the bit mask ({@link troupe.scene.Ability#bit}) of the abilities usable there; 0 where none is. */
+    public int abilities(int q) {
+        return abilities[q];
+    }
+
+    /** Tells whether some ability can be used there. */
+    @Override
+    public boolean open(int q) {
+        return abilities[q] != 0;
+    }
+
+    /**
+     * Returns the directions (bit d for direction d of {@link GridFrame}) in which the legal neighbour of a
+     * span is {@code q + offset(d)}, the span of the same sheet; 0 for a crossing.
+     */
+    @Override
+    public int moves(int q) {
+        return moves[q] & 0xff;
+    }
+
+    /** Tells whether {@link #moves} gives all legal neighbours. */
+    @Override
+    public boolean plain(int q) {
+        return q < spanCount && !special.get(q);
+    }
+
+    /**
+     * Finds all legal neighbours, ascending by direction, then id.
+     *
+     * @param targets receives the neighbours; at least {@link #MAX_NEIGHBOURS} long
+     * @param directions receives the direction of each; as long
+     * @return how many there are
+     */
+    @Override
+    public int neighbours(int q, int[] targets, int[] directions) {
+        if (!plain(q)) {
+            return neighbours.of(q, cell(q), targets, directions);
+        }
+        int count = 0;
+        int mask = moves(q);
+        for (int d = 0; d < GridFrame.DIRECTIONS; d++) {
+            if ((mask >> d & 1) != 0) {
+                targets[count] = q + offsets[d];
+                directions[count++] = d;
+            }
+        }
+        return count;
+    }
+
+    /**
+     * Tells whether a straight crossing of a kind leads from one span to another: both stable and open to
+     * walking, floors within a step, no further apart than the gait ({@link Kind#GAP}) or the reach
+     * ({@link Kind#JUMPABLE}), and between the two cells only crossings of that kind from the floor of
+     * {@code begin}, at least one. Cost O(length in cells).
+     *
+     * @throws IllegalArgumentException if the kind is neither
+     */
+    public boolean straight(int begin, int end, byte kind) {
+        if (kind != Kind.GAP && kind != Kind.JUMPABLE) {
+            throw new IllegalArgumentException("kind " + kind + "; needs GAP or JUMPABLE");
+        }
+        double limit = kind == Kind.GAP
+                ? actor.stride().map(Actor.Stride::gait).orElse(0.0)
+                : actor.vault().map(Actor.Vault::reach).orElse(0.0);
+        if (begin == end || !takesOff(begin) || !takesOff(end)) {
+            return false;
+        }
+        int dx = frame.col(cell(end)) - frame.col(cell(begin));
+        int dy = frame.row(cell(end)) - frame.row(cell(begin));
+        int level = spans.level(begin);
+        return Math.abs(elevation(begin) - elevation(end)) <= actor.stepHeight() + Column.SAME
+                && (double) dx * dx + (double) dy * dy <= Pruning.squaredCells(limit, frame.cell())
+                && (dx | dy) != 0
+                && Straight.passes(cell(begin), dx, dy, frame.cols(), cell -> crossings.find(cell, level, kind) >= 0);
+    }
+
+    private boolean takesOff(int q) {
+        return q < spanCount && kinds[q] == Kind.STABLE && (abilities[q] & Ability.WALK.bit()) != 0;
+    }
+
+    /**
+     * Returns the distance in metres from the centre of a span's cell to the nearest solid that a standing
+     * body would meet, or the world's edge; 0 where there is no span, and for a crossing. Exact up to the
+     * largest radius and two cells; beyond, within 0.71 cells. The field is computed when it is first asked
+     * for, O(cells) per floor elevation.
+     */
+    public float clearance(int q) {
+        return q < spanCount ? clearance.of(q) : 0;
+    }
+
+    /**
+     * Returns the configuration at a place: the span whose floor is nearest to {@code z} (the lower of two
+     * equally near), without {@code z} the lowest; -1 if the cell holds no span.
+     */
+    public int locate(Place place) {
+        int cell = frame.cellAt(place.x(), place.y());
+        if (cell < 0) {
+            return -1;
+        }
+        int best = -1;
+        for (int q = cell; q < spanCount; q += cells) {
+            if (spans.exists(q)
+                    && (best < 0
+                            || place.z().isPresent()
+                                    && Math.abs(elevation(q) - place.z().getAsDouble())
+                                            < Math.abs(
+                                                    elevation(best) - place.z().getAsDouble()))) {
+                best = q;
+            }
+        }
+        return best;
+    }
+}

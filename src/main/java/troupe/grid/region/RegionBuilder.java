@@ -1,0 +1,85 @@
+package troupe.grid.region;
+
+import troupe.grid.GridFrame;
+import troupe.grid.layer.Column;
+import troupe.grid.layer.Columns;
+import troupe.grid.layer.Layers;
+import troupe.grid.layer.Spans;
+import troupe.scene.Ability;
+import troupe.scene.Actor;
+import troupe.scene.Obstacle;
+import troupe.scene.Scene;
+
+/**
+ * Builds the configurations of one actor profile in the paper's stages, one call each, so that each can
+ * be timed: {@link #layers} and then {@link #region}. Each runs once, and first what it needs. An instance
+ * belongs to one thread; what it hands out is immutable.
+ *
+ * <p>Source: Unified sections 3, 5 and 7; deviations are listed in {@code docs/grid.md}.
+ */
+public final class RegionBuilder {
+    private final Scene scene;
+    private final Actor actor;
+    private final GridFrame frame;
+    private Columns columns;
+    private Spans spans;
+    private Layers layers;
+    private Region region;
+
+    /** Makes a builder for an actor that has already lost the abilities which preferences switch off. */
+    public RegionBuilder(Scene scene, Actor actor) {
+        this.scene = scene;
+        this.actor = actor;
+        this.frame = GridFrame.of(scene.world());
+    }
+
+    /** Finds the spans of the scene. Cost O(cells + edges). */
+    public Spans spans() {
+        if (spans == null) {
+            columns = new Columns(frame, scene);
+            spans = new Spans(frame, columns, smallestBody());
+        }
+        return spans;
+    }
+
+    /** Numbers the layers of the spans. Cost O(spans). */
+    public Layers layers() {
+        if (layers == null) {
+            layers = new Layers(spans(), actor.stepHeight(), smallestBody());
+        }
+        return layers;
+    }
+
+    private double smallestBody() {
+        return actor.vault()
+                .map(v -> Math.min(v.bodyHeight(), actor.bodyHeight()))
+                .orElse(actor.bodyHeight());
+    }
+
+    /** Classifies every configuration. Cost O(cells + edges). */
+    public Region region() {
+        if (region == null) {
+            spans();
+            Standing standing = new Standing(scene, actor, columns, spans);
+            standing.bodies();
+            standing.feet();
+            Crossings crossings = actor.stride().isPresent() || actor.vault().isPresent()
+                    ? new CrossingFinder(scene, actor, columns, spans, standing).find()
+                    : Crossings.NONE;
+            standing.forbid();
+            region = new Region(
+                    actor, spans, standing, crossings, new Clearance(scene, actor, columns, spans, standing.rims()));
+        }
+        return region;
+    }
+
+    /** Tells whether an obstacle reaches into the stretch of a body of {@code bodyHeight} on a floor. */
+    static boolean blocks(Obstacle obstacle, double floor, double stepHeight, double bodyHeight) {
+        return obstacle.offset() < floor + bodyHeight - Column.SAME
+                && obstacle.top() > floor + stepHeight + Column.SAME;
+    }
+
+    static int standingBits(Actor actor) {
+        return Ability.WALK.bit() | (actor.sidestep().isPresent() ? Ability.SIDESTEP.bit() : 0);
+    }
+}

@@ -1,0 +1,237 @@
+package troupe.grid.region;
+
+import java.util.ArrayList;
+import java.util.List;
+import troupe.geometry.Box;
+import troupe.geometry.Polygon;
+import troupe.grid.CellRuns;
+import troupe.grid.GridFrame;
+import troupe.grid.Window;
+import troupe.grid.layer.Column;
+import troupe.grid.layer.Columns;
+import troupe.scene.Actor;
+import troupe.scene.Obstacle;
+import troupe.scene.Scene;
+
+/**
+ * Asks, for a take-off floor, which solids come within the walk radius of the cells of a window: all
+ * obstacles, the ground beside ditches, and the world's edge. As for standing bodies, a radius under
+ * {@link Standing#TOUCHING} cells takes in the cells that an outline touches.
+ */
+final class Solids {
+    private static final byte HIT = 1;
+    private static final byte BAD = 2;
+
+    private final Scene scene;
+    private final Actor actor;
+    private final Columns columns;
+    private final Rims rims;
+    private final GridFrame frame;
+    private final CellRuns runs;
+    private final double radius;
+    private final boolean touching;
+    private final Window[] boxes;
+    private final int[][] outlines;
+    private final double[] grounds;
+    private final List<Integer> walls;
+    private int[] edge;
+
+    Solids(Scene scene, Actor actor, Columns columns, Rims rims, GridFrame frame) {
+        this.scene = scene;
+        this.actor = actor;
+        this.columns = columns;
+        this.rims = rims;
+        this.frame = frame;
+        this.runs = new CellRuns(frame);
+        this.radius = actor.walk().radius();
+        this.touching = radius < Standing.TOUCHING * frame.cell();
+        int count = scene.obstacles().size();
+        this.boxes = new Window[count];
+        this.outlines = new int[count][];
+        for (int i = 0; i < count; i++) {
+            boxes[i] =
+                    Window.of(frame, scene.obstacles().get(i).outline().bounds().grown(radius));
+        }
+        this.grounds = new double[columns.count()];
+        for (int id = 0; id < grounds.length; id++) {
+            grounds[id] = columns.column(id).ground();
+        }
+        this.walls = new ArrayList<>();
+        for (int i = 0; i < rims.size(); i++) {
+            if (leftGround(i) != rightGround(i)) {
+                walls.add(i);
+            }
+        }
+    }
+
+    /** Clears the cells of a mask that a solid in the way of a body on {@code floor} comes near. */
+    void clearNear(double floor, Window window, byte[] mask) {
+        Window.Stretch clear = (from, to) -> java.util.Arrays.fill(mask, from, to, (byte) 0);
+        worldEdge(window);
+        window.each(runs, frame, clear);
+        for (int i = 0; i < boxes.length; i++) {
+            if (boxes[i].meets(window)
+                    && RegionBuilder.blocks(scene.obstacles().get(i), floor, actor.stepHeight(), actor.bodyHeight())) {
+                outline(i);
+                window.each(runs, frame, clear);
+            }
+        }
+        for (int i : walls) {
+            if (Math.max(leftGround(i), rightGround(i)) > floor + actor.stepHeight() + Column.SAME) {
+                piece(i);
+                window.each(runs, frame, clear);
+            }
+        }
+    }
+
+    private double leftGround(int i) {
+        return columns.column(rims.left(i)).ground();
+    }
+
+    private double rightGround(int i) {
+        return columns.column(rims.right(i)).ground();
+    }
+
+    /** Puts the cells near the world's edge into the runs, none if the window lies away from it. */
+    private void worldEdge(Window window) {
+        runs.clear();
+        int margin = (int) (radius / frame.cell()) + 3;
+        boolean near = window.col0() <= margin
+                || window.row0() <= margin
+                || window.col0() + window.cols() >= frame.cols() - margin
+                || window.row0() + window.rows() >= frame.rows() - margin;
+        if (near && edge == null) {
+            runs.nearEdge(scene.world(), radius);
+            if (touching) {
+                runs.touch(Polygon.rectangle(
+                        0, 0, scene.world().width(), scene.world().depth()));
+            }
+            edge = runs.copy();
+        } else if (near) {
+            runs.add(edge);
+        }
+    }
+
+    /** Puts the cells near an obstacle's outline into the runs. */
+    private void outline(int obstacle) {
+        runs.clear();
+        if (outlines[obstacle] == null) {
+            Polygon outline = scene.obstacles().get(obstacle).outline();
+            runs.near(outline, radius);
+            if (touching) {
+                runs.touch(outline);
+            }
+            outlines[obstacle] = runs.copy();
+        } else {
+            runs.add(outlines[obstacle]);
+        }
+    }
+
+    /** Puts the cells near a piece into the runs. */
+    private void piece(int i) {
+        runs.clear();
+        rims.near(i, radius, runs);
+        if (touching) {
+            rims.touch(i, runs);
+        }
+    }
+
+    /** Returns the grown boxes of the solids that a vault from {@code floor} may go over. */
+    List<Box> vaultable(double floor, Actor.Vault vault) {
+        List<Box> boxes = new ArrayList<>();
+        double margin = radius + frame.cell();
+        for (Obstacle obstacle : scene.obstacles()) {
+            if (RegionBuilder.blocks(obstacle, floor, actor.stepHeight(), actor.bodyHeight())
+                    && inRange(obstacle.top(), floor, vault)) {
+                boxes.add(obstacle.outline().bounds().grown(margin));
+            }
+        }
+        for (double ground : grounds) {
+            if (inRange(ground, floor, vault)) {
+                return List.of(
+                        new Box(0, 0, scene.world().width(), scene.world().depth()));
+            }
+        }
+        return boxes;
+    }
+
+    private static boolean inRange(double top, double floor, Actor.Vault vault) {
+        return top >= floor + vault.minHeight() - Column.SAME && top <= floor + vault.maxHeight() + Column.SAME;
+    }
+
+    /**
+     * Sets the cells of a window that are in the way of a walking body on {@code floor} only because of
+     * solids whose tops a vault can take, with room above the highest of them for the vaulting body.
+     */
+    void vaultable(double floor, Actor.Vault vault, Window window, byte[] mask) {
+        double[] highest = new double[window.size()];
+        ground(floor, vault, window, mask, highest);
+        List<Integer> above = new ArrayList<>();
+        for (int n = 0; n < boxes.length; n++) {
+            Obstacle obstacle = scene.obstacles().get(n);
+            if (!boxes[n].meets(window)) {
+                continue;
+            }
+            if (RegionBuilder.blocks(obstacle, floor, actor.stepHeight(), actor.bodyHeight())) {
+                outline(n);
+                runs.fill(obstacle.outline());
+                hit(obstacle.top(), inRange(obstacle.top(), floor, vault), window, mask, highest);
+            } else if (obstacle.offset() >= floor + actor.bodyHeight() - Column.SAME
+                    && obstacle.offset() < floor + vault.maxHeight() + vault.bodyHeight()
+                    && !inRange(obstacle.top(), floor, vault)) {
+                above.add(n);
+            }
+        }
+        for (int n : above) {
+            Obstacle obstacle = scene.obstacles().get(n);
+            outline(n);
+            runs.fill(obstacle.outline());
+            window.each(runs, frame, (from, to) -> {
+                for (int i = from; i < to; i++) {
+                    if (mask[i] == HIT && obstacle.offset() < highest[i] + vault.bodyHeight() - Column.SAME) {
+                        mask[i] |= BAD;
+                    }
+                }
+            });
+        }
+        for (int i = 0; i < mask.length; i++) {
+            mask[i] = (byte) (mask[i] == HIT ? 1 : 0);
+        }
+    }
+
+    /** Marks where ground, or the world's edge, stands in the way. */
+    private void ground(double floor, Actor.Vault vault, Window window, byte[] mask, double[] highest) {
+        double limit = floor + actor.stepHeight() + Column.SAME;
+        worldEdge(window);
+        hit(Double.POSITIVE_INFINITY, false, window, mask, highest);
+        int[] at = columns.at();
+        for (int row = 0; row < window.rows(); row++) {
+            int cell = (window.row0() + row) * frame.cols() + window.col0();
+            for (int i = row * window.cols(), end = i + window.cols(); i < end; i++, cell++) {
+                double ground = grounds[at[cell]];
+                if (ground > limit) {
+                    mask[i] |= inRange(ground, floor, vault) ? HIT : HIT | BAD;
+                    highest[i] = ground;
+                }
+            }
+        }
+        for (int i : walls) {
+            for (double ground : new double[] {leftGround(i), rightGround(i)}) {
+                if (ground > limit) {
+                    piece(i);
+                    hit(ground, inRange(ground, floor, vault), window, mask, highest);
+                }
+            }
+        }
+    }
+
+    private void hit(double top, boolean inRange, Window window, byte[] mask, double[] highest) {
+        int bits = inRange ? HIT : HIT | BAD;
+        window.each(runs, frame, (from, to) -> {
+            for (int i = from; i < to; i++) {
+                highest[i] = (mask[i] & HIT) == 0 ? top : Math.max(highest[i], top);
+                mask[i] = (byte) (mask[i] | bits);
+            }
+        });
+    }
+}

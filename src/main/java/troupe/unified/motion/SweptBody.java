@@ -1,0 +1,202 @@
+package troupe.unified.motion;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import troupe.geometry.Box;
+import troupe.geometry.Polygon;
+import troupe.geometry.Segments;
+import troupe.scene.Ability;
+import troupe.scene.Actor;
+import troupe.scene.Obstacle;
+import troupe.scene.Scene;
+import troupe.scene.World;
+
+/**
+ * Decides on the polygons themselves, not on the grid, whether an actor's body and feet fit along a
+ * straight line. Metres throughout; distances are compared with a slack of 1e-9 m. Immutable, safe for
+ * any thread; a question costs O(obstacles) plus the corners of those near the line.
+ */
+public final class SweptBody {
+    static final double SLACK = 1e-9;
+
+    private final World world;
+    private final Actor actor;
+    private final Obstacle[] obstacles;
+    private final FloorEdges floors;
+
+    /** Prepares the questions of one actor in one scene. */
+    public SweptBody(Scene scene, Actor actor) {
+        this.world = scene.world();
+        this.actor = actor;
+        this.obstacles = scene.obstacles().toArray(new Obstacle[0]);
+        this.floors = new FloorEdges(scene.obstacles(), scene.ditches());
+    }
+
+    /**
+     * Tells whether a cylinder of {@code radius} that stands on {@code floor} can be carried from a to b:
+     * no solid that meets the open stretch (floor + step, floor + body height), and no edge of the world,
+     * comes nearer to the line than the radius.
+     */
+    boolean fits(Line line, double floor, double radius) {
+        return insideWorld(line.ax(), line.ay(), radius)
+                && insideWorld(line.bx(), line.by(), radius)
+                && clearsObstacles(line, floor, radius)
+                && clearsGround(line, floor, radius);
+    }
+
+    /** Returns the radius in metres of the bounding volume of an ability. */
+    double radius(Ability ability) {
+        return ability == Ability.SIDESTEP
+                ? actor.sidestep().orElseThrow().radius()
+                : actor.walk().radius();
+    }
+
+    /** Tells whether the foot disc, carried along the line, rests on {@code floor} everywhere. */
+    boolean rests(Line line, double floor) {
+        return rests(line, floor, 0);
+    }
+
+    /** Tells whether the foot disc, carried along the line, is nowhere over a drop or rise of more than a step. */
+    boolean isSupported(Line line, double floor) {
+        return rests(line, floor, actor.stepHeight());
+    }
+
+    private boolean rests(Line line, double floor, double tolerance) {
+        double reach = floor + actor.stepHeight() + SLACK;
+        return !floors.meets(
+                line,
+                actor.footRadius() - SLACK,
+                (x, y) -> Math.abs(floors.floorAt(x, y, reach) - floor) > tolerance + SLACK);
+    }
+
+    /** Returns the elevation of the floor at a point: the highest top not above {@code floor} plus a step. */
+    double floorAt(double x, double y, double floor) {
+        return floors.floorAt(x, y, floor + actor.stepHeight() + SLACK);
+    }
+
+    private boolean insideWorld(double x, double y, double radius) {
+        double least = radius - SLACK;
+        return x >= least && y >= least && world.width() - x >= least && world.depth() - y >= least;
+    }
+
+    private boolean clearsObstacles(Line line, double floor, double radius) {
+        double low = floor + actor.stepHeight();
+        double high = floor + actor.bodyHeight();
+        Box box = line.bounds().grown(radius);
+        for (Obstacle o : obstacles) {
+            if (o.top() > low + SLACK
+                    && o.offset() < high - SLACK
+                    && o.outline().bounds().meets(box)
+                    && isNear(o.outline(), line, radius)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** The ground itself is a wall for someone down in a ditch. */
+    private boolean clearsGround(Line line, double floor, double radius) {
+        double low = floor + actor.stepHeight() + SLACK;
+        return low >= 0 || !floors.meets(line, radius - SLACK, (x, y) -> floors.groundAt(x, y) > low);
+    }
+
+    /** Tells whether the line enters the polygon or comes nearer to it than the radius. */
+    private static boolean isNear(Polygon polygon, Line line, double radius) {
+        double least = radius - SLACK;
+        return polygon.contains(line.ax(), line.ay())
+                || polygon.contains(line.bx(), line.by())
+                || (least > 0 ? line.distance(polygon) < least : line.crosses(polygon));
+    }
+
+    /**
+     * Returns the obstacles that a body of walking radius on {@code floor} would meet on its way along the
+     * line, highest top first (ties: document order).
+     */
+    List<Obstacle> inTheWay(Line line, double floor) {
+        double low = floor + actor.stepHeight();
+        double high = floor + actor.bodyHeight();
+        double radius = Math.max(actor.walk().radius(), SLACK);
+        List<Obstacle> met = new ArrayList<>();
+        for (Obstacle o : obstacles) {
+            if (o.top() > low + SLACK && o.offset() < high - SLACK && isNear(o.outline(), line, radius)) {
+                met.add(o);
+            }
+        }
+        met.sort(Comparator.comparingDouble(Obstacle::top).reversed());
+        return met;
+    }
+
+    /** Returns the elevation of the lowest underside above {@code floor} within walking radius of the line, +∞ if open. */
+    double ceiling(Line line, double floor) {
+        double least = Double.POSITIVE_INFINITY;
+        double radius = Math.max(actor.walk().radius(), SLACK);
+        for (Obstacle o : obstacles) {
+            if (o.offset() >= floor && o.offset() < least && isNear(o.outline(), line, radius)) {
+                least = o.offset();
+            }
+        }
+        return least;
+    }
+
+    /** Holds a directed straight line from a to b in metres; a and b may coincide. */
+    record Line(double ax, double ay, double bx, double by) {
+
+        /** Returns the length in metres. */
+        double length() {
+            return Math.sqrt((bx - ax) * (bx - ax) + (by - ay) * (by - ay));
+        }
+
+        /** Returns the smallest box that holds the line. */
+        Box bounds() {
+            return new Box(Math.min(ax, bx), Math.min(ay, by), Math.max(ax, bx), Math.max(ay, by));
+        }
+
+        /** Returns the least distance in metres to the outline of a polygon. Cost O(corners). */
+        double distance(Polygon polygon) {
+            double least = Double.POSITIVE_INFINITY;
+            for (int i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+                least = Math.min(least, distanceSquared(polygon.x(j), polygon.y(j), polygon.x(i), polygon.y(i)));
+            }
+            return Math.sqrt(least);
+        }
+
+        /** Tells whether the outline of a polygon crosses the line properly. Cost O(corners). */
+        boolean crosses(Polygon polygon) {
+            for (int i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
+                if (crosses(polygon.x(j), polygon.y(j), polygon.x(i), polygon.y(i))) {
+                    return true;
+                }
+            }
+            return false;
+        }
+
+        /** Returns the squared distance in square metres to the segment c-d, 0 if they cross. */
+        double distanceSquared(double cx, double cy, double dx, double dy) {
+            if (crosses(cx, cy, dx, dy)) {
+                return 0;
+            }
+            return Math.min(
+                    Math.min(
+                            Segments.distanceSquared(ax, ay, cx, cy, dx, dy),
+                            Segments.distanceSquared(bx, by, cx, cy, dx, dy)),
+                    Math.min(
+                            Segments.distanceSquared(cx, cy, ax, ay, bx, by),
+                            Segments.distanceSquared(dx, dy, ax, ay, bx, by)));
+        }
+
+        private boolean crosses(double cx, double cy, double dx, double dy) {
+            double c = side(cx, cy);
+            double d = side(dx, dy);
+            Line other = new Line(cx, cy, dx, dy);
+            double a = other.side(ax, ay);
+            double b = other.side(bx, by);
+            return (c > 0 && d < 0 || c < 0 && d > 0) && (a > 0 && b < 0 || a < 0 && b > 0);
+        }
+
+        /** Returns a number above 0 left of the line, below 0 right of it. */
+        private double side(double x, double y) {
+            return (bx - ax) * (y - ay) - (by - ay) * (x - ax);
+        }
+    }
+}

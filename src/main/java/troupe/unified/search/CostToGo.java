@@ -1,0 +1,244 @@
+package troupe.unified.search;
+
+import troupe.grid.GridFrame;
+import troupe.grid.region.Kind;
+import troupe.grid.region.Region;
+import troupe.scene.Ability;
+import troupe.search.BestFirst;
+import troupe.search.BucketQueue;
+import troupe.search.Expander;
+import troupe.search.Outcome;
+
+/**
+ * Finds the least cost from configurations to the goal when counters, and the straightness of crossings,
+ * are left out: an admissible and consistent bound on what a label still has to pay. It searches
+ * backwards from the goal towards the start and goes only as far as it is asked; it can be asked to go on.
+ *
+ * <p>Whatever is settled has its exact value. For the rest, the first open key {@code f} bounds it: the
+ * backward search is A* with the octile distance from the start at the cheapest price, so what is not
+ * settled costs at least {@code f} minus that distance.
+ *
+ * <p>Source: reverse resumable A* (Silver, Cooperative Pathfinding, 2005), over the moves of Unified
+ * section 7. Cost of a whole search: O(n log b) for n configurations and b entries in a bucket.
+ */
+final class CostToGo implements Expander {
+    /** The bound of a configuration from which the goal cannot be reached. */
+    static final long UNREACHABLE = Long.MAX_VALUE / 4;
+
+    private static final Outcome NOTHING_LEFT = new Outcome.Infeasible("everything that reaches the goal is settled");
+
+    private static final int ANY = JourneyWorkspace.ANY;
+
+    /** For each arrival, the directions in which a place must be left. */
+    private static final int[] AHEAD = new int[ANY + 1];
+
+    static {
+        for (int side = 0; side < 4; side++) {
+            int left = 1 << 4 + side;
+            int right = 1 << 4 + (side + 3 & 3);
+            AHEAD[side] = 1 << side | left | right;
+            AHEAD[4 + side] = 1 << 4 + side | 1 << side | 1 << (side + 1 & 3);
+        }
+        AHEAD[ANY] = 255;
+    }
+
+    private final JourneyWorkspace work;
+    private final Region region;
+    private final JourneyCosts costs;
+    private final BucketQueue open;
+    private final BestFirst search;
+    private final long[] toGo;
+    private final int[] stamps;
+    private final short[] local;
+    private final int[] offsets;
+    private final long[] standing;
+    private final int isOpen;
+    private final int isSettled;
+    private final int spans;
+    private final int cols;
+    private final int cells;
+    private final int startCol;
+    private final int startRow;
+    private final long straight;
+    private final long bend;
+
+    private int wanted;
+    private long wantedFrontier;
+    private long frontier;
+
+    /** Makes a search from {@code goal} towards {@code start} that has settled nothing yet. */
+    CostToGo(JourneyWorkspace work, int generation, JourneyCosts costs, int start, int goal) {
+        this.work = work;
+        this.region = work.region;
+        this.costs = costs;
+        this.open = work.backward();
+        toGo = work.toGo;
+        stamps = work.toGoStamp;
+        local = work.local;
+        offsets = work.offsets;
+        standing = costs.standingTable();
+        isOpen = JourneyWorkspace.STAMPS * generation;
+        isSettled = isOpen + JourneyWorkspace.SETTLED;
+        spans = region.spanCount();
+        GridFrame frame = region.frame();
+        cols = frame.cols();
+        cells = frame.size();
+        int startCell = region.cell(start);
+        startCol = frame.col(startCell);
+        startRow = frame.row(startCell);
+        straight = costs.cheapestStraight();
+        bend = costs.cheapestDiagonal() - straight;
+        search = new BestFirst(open, this, NOTHING_LEFT, Long.MAX_VALUE);
+        want(start, UNREACHABLE);
+        reach(goal, 0);
+        frontier = open.firstKey();
+    }
+
+    /** Tells whether the cost to go from a configuration is known exactly. */
+    boolean isSettled(int configuration) {
+        return stamps[configuration] == isSettled || !search.outcome().isRunning();
+    }
+
+    /** Returns a bound on the cost to go in units: exact if settled, {@link #UNREACHABLE} if there is no way. */
+    long bound(int configuration) {
+        if (stamps[configuration] == isSettled) {
+            return toGo[configuration];
+        }
+        if (!search.outcome().isRunning()) {
+            return UNREACHABLE;
+        }
+        return Math.max(0, frontier - fromStart(configuration));
+    }
+
+    /** Asks for a configuration to be settled, or for its bound to rise to at least {@code bound}. */
+    void want(int configuration, long bound) {
+        wanted = configuration;
+        wantedFrontier = bound + fromStart(configuration);
+    }
+
+    private boolean isWanting() {
+        return stamps[wanted] != isSettled && frontier < wantedFrontier;
+    }
+
+    /**
+     * Tells whether what was asked for is there, or will never be. The search has then looked at the next
+     * open place, too, so that what it knows does not depend on how the work was sliced.
+     */
+    boolean hasAnswered() {
+        return search.isWaiting() || !search.outcome().isRunning();
+    }
+
+    /** Works towards what was asked for, with at most {@code budget} expansions; returns those made. */
+    long advance(long budget) {
+        long before = search.expanded();
+        search.step(budget);
+        return search.expanded() - before;
+    }
+
+    /** Returns the expansions so far. */
+    long expanded() {
+        return search.expanded();
+    }
+
+    @Override
+    public Verdict expand(int item, long key) {
+        frontier = key;
+        if (stamps[item] == isSettled) {
+            return Verdict.SKIPPED;
+        }
+        if (!isWanting()) {
+            open.add(item, key, toGo[item]);
+            return Verdict.WAITING;
+        }
+        int arrival = stamps[item] - isOpen;
+        stamps[item] = isSettled;
+        if ((local[item] & JourneyWorkspace.PLAIN) != 0) {
+            expandPlain(item, arrival);
+        } else {
+            expandLinked(item);
+        }
+        return Verdict.EXPANDED;
+    }
+
+    /**
+     * Expands a place whose legal steps all lie on its own sheet. It leaves out the neighbours that the
+     * place it was reached from reaches more cheaply by itself: on a way of least cost they never follow.
+     */
+    private void expandPlain(int to, int arrival) {
+        short[] local = this.local;
+        int[] stamps = this.stamps;
+        int here = local[to];
+        int cell = to < cells ? to : to % cells;
+        int row = cell / cols;
+        int col = cell - row * cols;
+        int abilities = here >> JourneyWorkspace.ABILITIES;
+        long cost = toGo[to];
+        boolean calm = (here & JourneyWorkspace.CALM) != 0;
+        for (int rest = here & AHEAD[arrival]; rest != 0; rest &= rest - 1) {
+            int direction = Integer.numberOfTrailingZeros(rest);
+            int from = to + offsets[direction];
+            int stamp = stamps[from];
+            if (stamp != isSettled) {
+                int common = calm ? abilities : abilities & local[from] >> JourneyWorkspace.ABILITIES;
+                long next = cost + standing[common << 1 | direction >> 2];
+                if (next < JourneyCosts.BLOCKED && (stamp < isOpen || next < toGo[from])) {
+                    stamps[from] = isOpen + (calm ? direction : ANY);
+                    toGo[from] = next;
+                    open.add(
+                            from, next + fromStart(col + GridFrame.dx(direction), row + GridFrame.dy(direction)), next);
+                }
+            }
+        }
+    }
+
+    private void expandLinked(int to) {
+        int count = region.neighbours(to, work.targets, work.directions);
+        for (int i = 0; i < count; i++) {
+            int from = work.targets[i];
+            long step = step(from, to, work.directions[i]);
+            if (stamps[from] != isSettled && step < JourneyCosts.BLOCKED) {
+                reach(from, toGo[to] + step);
+            }
+        }
+    }
+
+    private void reach(int configuration, long cost) {
+        if (cost >= JourneyCosts.BLOCKED || stamps[configuration] >= isOpen && toGo[configuration] <= cost) {
+            return;
+        }
+        stamps[configuration] = isOpen + ANY;
+        toGo[configuration] = cost;
+        open.add(configuration, cost + fromStart(configuration), cost);
+    }
+
+    private long fromStart(int configuration) {
+        int cell = region.cell(configuration);
+        return fromStart(cell % cols, cell / cols);
+    }
+
+    private long fromStart(int col, int row) {
+        int dx = Math.abs(col - startCol);
+        int dy = Math.abs(row - startRow);
+        return straight * Math.max(dx, dy) + bend * Math.min(dx, dy);
+    }
+
+    /** Returns the cost in units of a step between neighbours, take-off included, or at least {@code BLOCKED}. */
+    private long step(int from, int to, int direction) {
+        boolean enters = to >= spans;
+        if (from >= spans) {
+            byte kind = region.kind(from);
+            boolean lands = enters || canTakeOff(to);
+            return lands ? costs.crossing(kind, direction) : JourneyCosts.BLOCKED;
+        }
+        if (enters) {
+            byte kind = region.kind(to);
+            boolean takesOff = canTakeOff(from) && region.elevation(from) == region.elevation(to);
+            return takesOff ? costs.crossing(kind, direction) + costs.takeOffUnits(kind) : JourneyCosts.BLOCKED;
+        }
+        return costs.standing(region.abilities(from) & region.abilities(to), direction);
+    }
+
+    private boolean canTakeOff(int span) {
+        return region.kind(span) == Kind.STABLE && (region.abilities(span) & Ability.WALK.bit()) != 0;
+    }
+}

@@ -1,0 +1,145 @@
+package troupe.unified.search;
+
+import java.util.Arrays;
+import troupe.grid.GridFrame;
+import troupe.grid.region.Region;
+import troupe.scene.Ability;
+import troupe.search.BucketQueue;
+import troupe.search.LabelPool;
+import troupe.search.MinHeap;
+
+/**
+ * Holds the memory that searches over one region need, about 26 bytes per configuration, so that
+ * thousands of problems share it: a generation stamp takes the place of clearing. One search at a time
+ * owns it; the next one takes it over. Used by one thread at a time.
+ */
+public final class JourneyWorkspace {
+    /** How many stamps a generation has. */
+    static final int STAMPS = 16;
+
+    /** The stamp within a generation of a place that may be left in any direction. */
+    static final int ANY = GridFrame.DIRECTIONS;
+
+    /** The stamp within a generation of a place whose cost to go is known exactly; those below are open. */
+    static final int SETTLED = ANY + 1;
+
+    /** The next label of a label that has been dominated. */
+    static final int DOMINATED = -2;
+
+    /** Bits of {@link #local} above the eight of the legal steps: all steps stay on the sheet. */
+    static final int PLAIN = 1 << 8;
+
+    /** All eight steps are legal, and the place and its neighbours allow the same abilities. */
+    static final int CALM = 1 << 9;
+
+    /** The first of the bits that tell the standing abilities. */
+    static final int ABILITIES = 10;
+
+    private static final int STANDING = Ability.WALK.bit() | Ability.SIDESTEP.bit();
+    private static final int LAST_GENERATION = (Integer.MAX_VALUE >> 4) - 1;
+
+    final Region region;
+    final int[] offsets;
+
+    /** The cost to go in units, valid where {@link #toGoStamp} is of this generation. */
+    final long[] toGo;
+
+    /** The generation times {@link #STAMPS}, plus {@link #SETTLED}, the direction it was reached in, or {@link #ANY}. */
+    final int[] toGoStamp;
+
+    /** The first label of each configuration, valid where {@link #chainStamp} is of this generation. */
+    final int[] chain;
+
+    final int[] chainStamp;
+
+    final LabelPool labels = new LabelPool(1024);
+    final MinHeap heap = new MinHeap(1024);
+    final int[] targets = new int[Region.MAX_NEIGHBOURS];
+    final int[] directions = new int[Region.MAX_NEIGHBOURS];
+
+    /** What a step from each configuration needs to know: the legal steps, {@link #PLAIN}, {@link #CALM}, abilities. */
+    final short[] local;
+
+    private BucketQueue forward;
+    private BucketQueue backward;
+    private int queueBits = -1;
+    private int generation;
+
+    /** Takes the memory for a region. Cost O(size of the region), once. */
+    public JourneyWorkspace(Region region) {
+        this.region = region;
+        GridFrame frame = region.frame();
+        offsets = frame.offsets();
+        toGo = new long[region.size()];
+        toGoStamp = new int[region.size()];
+        chain = new int[region.size()];
+        chainStamp = new int[region.size()];
+        local = new short[region.size()];
+        for (int q = 0; q < local.length; q++) {
+            if (region.open(q)) {
+                local[q] = (short) local(q);
+            }
+        }
+    }
+
+    private int local(int q) {
+        int moves = region.moves(q);
+        int abilities = region.abilities(q);
+        int bits = moves | (abilities & STANDING) << ABILITIES;
+        if (region.plain(q)) {
+            bits |= PLAIN;
+            boolean calm = moves == 255;
+            for (int d = 0; calm && d < GridFrame.DIRECTIONS; d++) {
+                calm = region.abilities(q + offsets[d]) == abilities;
+            }
+            bits |= calm ? CALM : 0;
+        }
+        return bits;
+    }
+
+    /** Returns the region that the memory is for. */
+    public Region region() {
+        return region;
+    }
+
+    /** Hands the memory to a new search, empty, and returns the search's generation. */
+    int begin(JourneyCosts costs) {
+        if (generation == LAST_GENERATION) {
+            Arrays.fill(toGoStamp, 0);
+            Arrays.fill(chainStamp, 0);
+            generation = 0;
+        }
+        generation++;
+        int shift = Math.max(0, costs.unitBits() - 6);
+        if (queueBits != shift) {
+            queueBits = shift;
+            forward = new BucketQueue(shift, label -> labels.next(label) == DOMINATED);
+            backward = new BucketQueue(shift, this::isSettled);
+        }
+        forward.clear();
+        backward.clear();
+        heap.clear();
+        labels.clear();
+        return generation;
+    }
+
+    /** Tells whether the cost to go from a configuration is known exactly. */
+    boolean isSettled(int configuration) {
+        return toGoStamp[configuration] == STAMPS * generation + SETTLED;
+    }
+
+    BucketQueue forward() {
+        return forward;
+    }
+
+    BucketQueue backward() {
+        return backward;
+    }
+
+    /** Asserts that no other search has taken the memory over since. */
+    void check(int owner) {
+        if (owner != generation) {
+            throw new IllegalStateException("another search has taken over the workspace of this one");
+        }
+    }
+}
