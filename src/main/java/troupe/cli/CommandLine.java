@@ -17,6 +17,7 @@ final class CommandLine {
     static final int FAILED = 1;
     static final int BAD_USE = 2;
     static final int BAD_INPUT = 3;
+    static final int FAULT = 4;
 
     private final List<Command> commands;
     private final Command standard;
@@ -71,6 +72,16 @@ final class CommandLine {
         }
         throw new UsageException("unknown command '" + word + "'; there are "
                 + String.join(", ", commands.stream().map(Command::name).toList()));
+    }
+
+    /** Says in a few words what went wrong inside the program, and where. */
+    static String describe(Throwable fault) {
+        StackTraceElement[] trace = fault.getStackTrace();
+        String where = trace.length == 0 ? "" : " at " + trace[0];
+        if (fault instanceof OutOfMemoryError) {
+            return "out of memory" + where + "; choose a larger cell, or give Java more with -Xmx";
+        }
+        return "fault of the program: " + fault + where + "; please report it with the scene";
     }
 
     private static String line(IOException e) {

@@ -15,7 +15,12 @@ public final class Troupe {
         int code;
         try (Interruption interruption = new Interruption()) {
             CommandLine line = new CommandLine(all(), new DefaultCommand(OpenCommand::window));
-            code = line.run(List.of(arguments), Terminal.system(interruption));
+            Terminal terminal = Terminal.system(interruption);
+            Thread.currentThread().setUncaughtExceptionHandler((thread, fault) -> {
+                terminal.say(CommandLine.describe(fault));
+                Runtime.getRuntime().halt(CommandLine.FAULT);
+            });
+            code = line.run(List.of(arguments), terminal);
         }
         if (code != CommandLine.OK) {
             System.exit(code);

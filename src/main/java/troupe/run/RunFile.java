@@ -14,9 +14,14 @@ import java.util.zip.Deflater;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
 import troupe.scene.AtomicFile;
+import troupe.scene.Problem;
 import troupe.scene.Scene;
+import troupe.scene.SceneChecks;
 import troupe.scene.SceneException;
+import troupe.scene.SceneSource;
 import troupe.scene.SceneXml;
+import troupe.scene.Settings;
+import troupe.scene.Severity;
 import troupe.scene.Task;
 
 /**
@@ -75,6 +80,7 @@ public final class RunFile {
                 program(),
                 task.id(),
                 task.seed(),
+                Settings.values(run.scene(), task.id()),
                 run.outcome(),
                 run.report(),
                 Digest.of(scene),
@@ -132,6 +138,11 @@ public final class RunFile {
         if (scene.task(manifest.task()).isEmpty()) {
             throw new RunException("scene.xml lacks the task '" + RunXmlReader.oneLine(manifest.task()) + "'");
         }
+        if (!Settings.values(scene, manifest.task())
+                .entrySet()
+                .containsAll(manifest.settings().entrySet())) {
+            throw new RunException("the settings in run.xml are not those of scene.xml");
+        }
         return new Run(
                 scene,
                 manifest.task(),
@@ -142,9 +153,17 @@ public final class RunFile {
                 manifest.inputs());
     }
 
+    /** Reads the scene and refuses one that could not be planned, so that whoever plans it again need not check it. */
     private static Scene scene(byte[] xml) throws RunException, IOException {
         try {
-            return SceneXml.read(new ByteArrayInputStream(xml), "scene.xml").scene();
+            SceneSource source = SceneXml.read(new ByteArrayInputStream(xml), "scene.xml");
+            List<Problem> errors = SceneChecks.check(source.scene(), source.lines()).stream()
+                    .filter(p -> p.severity() == Severity.ERROR)
+                    .toList();
+            if (!errors.isEmpty()) {
+                throw new SceneException("scene.xml", errors);
+            }
+            return source.scene();
         } catch (SceneException e) {
             throw new RunException(e.getMessage(), e);
         }

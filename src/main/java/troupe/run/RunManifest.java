@@ -1,6 +1,7 @@
 package troupe.run;
 
 import java.util.List;
+import java.util.Map;
 import troupe.search.Outcome;
 
 /** Holds what {@code run.xml} says: everything of a run but its scene and its frames, and what those must be. */
@@ -8,6 +9,7 @@ record RunManifest(
         String program,
         String task,
         long seed,
+        Map<String, String> settings,
         Outcome outcome,
         Report report,
         String sceneHash,

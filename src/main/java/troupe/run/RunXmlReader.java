@@ -5,7 +5,9 @@ import java.io.IOException;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import javax.xml.XMLConstants;
 import javax.xml.parsers.ParserConfigurationException;
 import javax.xml.parsers.SAXParserFactory;
@@ -31,6 +33,7 @@ final class RunXmlReader extends DefaultHandler {
     private final List<String> parts = new ArrayList<>();
     private final List<Run.Leg> legs = new ArrayList<>();
     private final List<Run.Input> inputs = new ArrayList<>();
+    private final Map<String, String> settings = new LinkedHashMap<>();
     private Locator locator;
     private String program;
     private String task;
@@ -52,7 +55,7 @@ final class RunXmlReader extends DefaultHandler {
     static RunManifest read(byte[] xml) throws RunException {
         RunXmlReader reader = new RunXmlReader();
         try {
-            SAXParserFactory factory = SAXParserFactory.newInstance();
+            SAXParserFactory factory = SAXParserFactory.newDefaultInstance();
             factory.setNamespaceAware(true);
             factory.setFeature(XMLConstants.FEATURE_SECURE_PROCESSING, true);
             factory.setFeature("http://apache.org/xml/features/disallow-doctype-decl", true);
@@ -75,7 +78,7 @@ final class RunXmlReader extends DefaultHandler {
 
         private static Schema compile() {
             try {
-                SchemaFactory factory = SchemaFactory.newInstance(XMLConstants.W3C_XML_SCHEMA_NS_URI);
+                SchemaFactory factory = SchemaFactory.newDefaultInstance();
                 factory.setProperty(XMLConstants.ACCESS_EXTERNAL_DTD, "");
                 factory.setProperty(XMLConstants.ACCESS_EXTERNAL_SCHEMA, "");
                 return factory.newSchema(RunXmlReader.class.getResource("run.xsd"));
@@ -92,7 +95,8 @@ final class RunXmlReader extends DefaultHandler {
 
     private RunManifest manifest() {
         return new RunManifest(
-                program, task, seed, outcome, report, sceneHash, rate, count, digest, channels, parts, legs, inputs);
+                program, task, seed, settings, outcome, report, sceneHash, rate, count, digest, channels, parts, legs,
+                inputs);
     }
 
     @Override
@@ -109,6 +113,7 @@ final class RunXmlReader extends DefaultHandler {
     public void startElement(String uri, String name, String qualified, Attributes attributes) throws SAXException {
         switch (name) {
             case "run" -> run(attributes);
+            case "setting" -> settings.put(attributes.getValue("key"), attributes.getValue("value"));
             case "outcome" -> outcome(attributes);
             case "report" -> open(attributes, new Level(attributes.getValue("name"), Report.builder(), null));
             case "list" -> open(attributes, new Level(attributes.getValue("name"), null, new ArrayList<>()));

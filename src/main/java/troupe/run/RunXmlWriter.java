@@ -3,6 +3,7 @@ package troupe.run;
 import java.util.List;
 import java.util.Map;
 import java.util.StringJoiner;
+import troupe.scene.XmlText;
 import troupe.search.Outcome;
 
 /** Writes {@code run.xml}: one element per line, attributes in the order of the schema. Used once. */
@@ -37,6 +38,7 @@ final class RunXmlWriter {
                 m.task(),
                 "seed",
                 m.seed());
+        m.settings().forEach((key, value) -> empty("setting", "key", key, "value", value));
         outcome(m.outcome());
         report("report", null, m.report());
         empty("scene", "sha256", m.sceneHash());
@@ -146,7 +148,7 @@ final class RunXmlWriter {
         for (int i = 0; i < attributes.length; i += 2) {
             out.append(' ').append(attributes[i]).append("=\"");
             Object value = attributes[i + 1];
-            escape(value instanceof Double d ? number(d) : value.toString());
+            XmlText.escape(value instanceof Double d ? number(d) : value.toString(), out);
             out.append('"');
         }
     }
@@ -156,26 +158,5 @@ final class RunXmlWriter {
             throw new IllegalArgumentException("number " + value + " in a run; needs a finite one");
         }
         return Double.toString(value);
-    }
-
-    private void escape(String text) {
-        for (int i = 0; i < text.length(); ) {
-            int c = text.codePointAt(i);
-            i += Character.charCount(c);
-            switch (c) {
-                case '<' -> out.append("&lt;");
-                case '>' -> out.append("&gt;");
-                case '&' -> out.append("&amp;");
-                case '"' -> out.append("&quot;");
-                case '\t', '\n', '\r' -> out.append("&#").append(c).append(';');
-                default -> {
-                    if (c < 0x20 || c >= 0xD800 && c <= 0xDFFF || c == 0xFFFE || c == 0xFFFF) {
-                        throw new IllegalArgumentException(
-                                "character U+" + Integer.toHexString(c) + " in '" + text + "', which XML cannot hold");
-                    }
-                    out.appendCodePoint(c);
-                }
-            }
-        }
     }
 }

@@ -30,10 +30,17 @@ public final class AtomicFile {
 
     /**
      * Writes {@code target}, replacing what is there. If the content cannot be written the target stays as
-     * it is and nothing is left beside it.
+     * it is and nothing is left beside it. A link is followed; a device or pipe cannot be replaced and is
+     * written to as it comes.
      */
     public static <E extends Exception> void write(Path target, Content<E> content) throws IOException, E {
-        Path file = target.toAbsolutePath();
+        Path file = Files.exists(target) ? target.toRealPath() : target.toAbsolutePath();
+        if (Files.exists(file) && !Files.isRegularFile(file) && !Files.isDirectory(file)) {
+            try (OutputStream out = new BufferedOutputStream(Files.newOutputStream(file), 1 << 16)) {
+                content.writeTo(out);
+            }
+            return;
+        }
         if (file.getFileName() == null || Files.isDirectory(file)) {
             throw new IOException(target + " is a folder; needs the name of a file");
         }

@@ -10,6 +10,8 @@ import troupe.scene.SceneChecks.Findings;
 final class DocumentRules {
     private static final Pattern ID = Pattern.compile("[A-Za-z_][\\w.-]*");
 
+    private static final Pattern COLOUR = Pattern.compile("(#[0-9a-fA-F]{6})?");
+
     /** Bytes that planning takes for each cell of a flat scene, fields and search included, measured and rounded up. */
     private static final long BYTES_PER_CELL = 160;
 
@@ -33,6 +35,31 @@ final class DocumentRules {
                 findings.error(id, "the id is used twice", "rename one of the two");
             }
         });
+    }
+
+    static void texts(Scene scene, Findings findings) {
+        text("", "the title", scene.title(), findings);
+        scene.elements().forEach(element -> text(element.id(), "the label", element.label(), findings));
+        scene.obstacles().forEach(o -> colour(o.id(), o.colour(), findings));
+        scene.actors().forEach(a -> colour(a.id(), a.colour(), findings));
+    }
+
+    private static void text(String id, String what, String text, Findings findings) {
+        for (int i = 0; i < text.length(); i++) {
+            if (!XmlText.isXml(text, i)) {
+                findings.error(
+                        id,
+                        what + " holds the character U+" + Integer.toHexString(text.charAt(i)),
+                        "take it away; a scene file cannot hold it");
+                return;
+            }
+        }
+    }
+
+    private static void colour(String id, String colour, Findings findings) {
+        if (!COLOUR.matcher(colour).matches()) {
+            findings.error(id, "the colour is '" + colour + "'", "write it as #rrggbb, or leave it out");
+        }
     }
 
     static void world(Scene scene, Findings findings) {

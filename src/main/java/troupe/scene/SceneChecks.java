@@ -17,6 +17,7 @@ public final class SceneChecks {
     /** Every rule, in the order in which equally bad problems are reported. */
     private static final List<BiConsumer<Scene, Findings>> RULES = List.of(
             DocumentRules::ids,
+            DocumentRules::texts,
             DocumentRules::world,
             DocumentRules::memory,
             ShapeRules::outlines,

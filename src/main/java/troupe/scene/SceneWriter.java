@@ -114,17 +114,7 @@ final class SceneWriter {
             return;
         }
         out.append(' ').append(name).append("=\"");
-        for (int i = 0; i < value.length(); i++) {
-            char c = value.charAt(i);
-            switch (c) {
-                case '&' -> out.append("&amp;");
-                case '<' -> out.append("&lt;");
-                case '>' -> out.append("&gt;");
-                case '"' -> out.append("&quot;");
-                case '\t', '\n', '\r' -> out.append("&#").append((int) c).append(';');
-                default -> out.append(c);
-            }
-        }
+        XmlText.escape(value, out);
         out.append('"');
     }
 }

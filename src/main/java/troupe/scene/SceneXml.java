@@ -47,7 +47,11 @@ public final class SceneXml {
         return new SceneReader(name).read(bytes);
     }
 
-    /** Returns a scene as the text of a scene file, lines ended by a line feed. */
+    /**
+     * Returns a scene as the text of a scene file, lines ended by a line feed.
+     *
+     * @throws IllegalArgumentException if a text holds a character that XML cannot; the checks name it before
+     */
     public static String write(Scene scene) {
         return new SceneWriter().write(scene);
     }

@@ -38,8 +38,11 @@ public final class GoldenRuns {
     public static Optional<String> difference(Run saved, Run fresh) {
         boolean cut = saved.outcome().isRunning() || saved.outcome().equals(Outcome.CANCELLED);
         if (cut) {
-            int common = Math.min(saved.frames().count(), fresh.frames().count());
-            return RunComparison.firstDifference(saved.frames(), fresh.frames(), common);
+            int kept = saved.frames().count();
+            return fresh.frames().count() < kept
+                    ? Optional.of("frames: expected at least " + kept + ", found "
+                            + fresh.frames().count())
+                    : RunComparison.firstDifference(saved.frames(), fresh.frames(), kept);
         }
         if (!saved.outcome().equals(fresh.outcome())) {
             return Optional.of("outcome: expected " + words(saved.outcome()) + ", found " + words(fresh.outcome()));

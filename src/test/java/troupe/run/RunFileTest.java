@@ -24,6 +24,8 @@ import java.util.zip.ZipFile;
 import java.util.zip.ZipOutputStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import troupe.scene.Scene;
+import troupe.scene.World;
 import troupe.search.Outcome;
 
 class RunFileTest {
@@ -119,6 +121,20 @@ class RunFileTest {
         assertFalse(Files.exists(folder.resolve("../../escaped.txt")));
         parts.remove("frames/00001.bin");
         assertRefused(parts, "'frames/00001.bin' is missing");
+    }
+
+    @Test
+    void refusesASceneThatCannotBePlannedWhenTheHashesAreRight() throws Exception {
+        Run sample = SampleRuns.run(3);
+        Scene fine = sample.scene();
+        Scene bad = fine.with(new World(fine.world().width(), fine.world().depth(), 1e-9));
+        Run run = new Run(bad, sample.task(), sample.outcome(), sample.report(), sample.frames(), List.of(), List.of());
+        Path file = folder.resolve("bad.run");
+        RunFile.write(run, file);
+        String message =
+                assertThrows(RunException.class, () -> RunFile.read(file)).getMessage();
+        assertTrue(message.contains("cell"), message);
+        assertFalse(message.contains("\n"), message);
     }
 
     @Test

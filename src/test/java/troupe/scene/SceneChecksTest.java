@@ -157,4 +157,18 @@ class SceneChecksTest {
                 + "<obstacle id=\"bad\" height=\"0\" points=\"1,1 2,1 2,2\"/>");
         assertEquals(List.of("bad", "out"), found.stream().map(Problem::element).toList());
     }
+
+    @Test
+    void namesTextsThatNoFileCanHoldAndRefusesToWriteThem() {
+        for (String title : List.of("a\u0001", "\uffff", "\ud800", "\udc00x")) {
+            Scene scene = new Scene(title, World.of(4, 3), List.of(), List.of(), List.of(), List.of());
+            assertEquals(1, SceneChecks.check(scene).size(), title);
+            org.junit.jupiter.api.Assertions.assertThrows(IllegalArgumentException.class, () -> SceneXml.write(scene));
+        }
+        Scene fine = new Scene("\ud83d\ude00 \t高", World.of(4, 3), List.of(), List.of(), List.of(), List.of());
+        assertEquals(List.of(), SceneChecks.check(fine));
+        Obstacle red = new Obstacle("o", "", troupe.geometry.Polygon.rectangle(1, 1, 2, 2), 0, 1, false, 20, "red");
+        Scene coloured = new Scene("", World.of(4, 3), List.of(red), List.of(), List.of(), List.of());
+        assertTrue(SceneChecks.check(coloured).get(0).message().contains("'red'"));
+    }
 }

@@ -192,6 +192,17 @@ class SceneXmlTest {
     }
 
     @Test
+    void followsALinkToTheFileItStandsFor(@TempDir Path folder) throws Exception {
+        Path file = folder.resolve("scene.xml");
+        Files.writeString(file, "old");
+        Path link = Files.createSymbolicLink(folder.resolve("link.xml"), file);
+        Scene scene = new Scene("one", World.of(4, 3), List.of(), List.of(), List.of(), List.of());
+        SceneXml.write(scene, link);
+        assertTrue(Files.isSymbolicLink(link));
+        assertEquals(scene, SceneXml.read(file).scene());
+    }
+
+    @Test
     void documentsTheSchemaThatItUses() throws IOException {
         assertEquals(
                 Files.readString(Path.of("src/main/resources/troupe/scene/scene.xsd")),

@@ -32,7 +32,20 @@ class SettingsTest {
             Scene changed = Settings.apply(SCENE, "j", key, special.getOrDefault(key, "77"));
             assertNotEquals(SCENE, changed, key);
             assertEquals(changed, SceneXmlTest.read(SceneXml.write(changed)), key);
+            String told = Settings.values(changed, "j").get(key);
+            assertEquals(special.getOrDefault(key, "77"), told, key);
         }
+    }
+
+    @Test
+    void theValuesOfATaskMakeItAgainFromAnother() {
+        Scene odd = Settings.apply(Settings.apply(SCENE, "j", "preference.vault", "off"), "j", "vault.reach", "1.2");
+        Scene again = SCENE;
+        for (Map.Entry<String, String> setting : Settings.values(odd, "j").entrySet()) {
+            again = Settings.apply(again, "j", setting.getKey(), setting.getValue());
+        }
+        assertEquals(odd, again);
+        assertEquals(false, Settings.values(SCENE, "k").containsKey("vault.reach"));
     }
 
     @Test

@@ -68,6 +68,8 @@ class GoldenRunsTest {
         assertEquals(Optional.empty(), GoldenRuns.difference(cut, fresh));
         Run wrong = run(Outcome.CANCELLED, nudged(fresh.frames(), 3, 0, 5), 0);
         assertTrue(GoldenRuns.difference(wrong, fresh).orElse("").startsWith("frame 3, "));
+        Run shorter = run(Outcome.FOUND, nudged(fresh.frames(), -1, -1, 2), 0);
+        assertEquals(Optional.of("frames: expected at least 5, found 2"), GoldenRuns.difference(cut, shorter));
     }
 
     @Test
