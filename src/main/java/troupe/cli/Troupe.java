@@ -33,6 +33,7 @@ public final class Troupe {
                 new OpenCommand(),
                 new CheckCommand(),
                 new RunCommand(),
+                new ExplainCommand(),
                 new FieldsCommand(),
                 new ReplayCommand(),
                 new ExportCommand(),

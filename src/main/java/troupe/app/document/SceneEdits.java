@@ -3,11 +3,9 @@ package troupe.app.document;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
-import java.util.Set;
 import troupe.geometry.Point;
 import troupe.geometry.Polygon;
 import troupe.geometry.Pose;
-import troupe.scene.Ability;
 import troupe.scene.Ditch;
 import troupe.scene.Element;
 import troupe.scene.Journey;
@@ -96,29 +94,6 @@ public final class SceneEdits {
 
     /** Returns the scene with other preferences for the journey. */
     public static Scene preferring(Scene scene, Journey journey, Preferences preferences) {
-        return scene.with(new Journey(
-                journey.id(),
-                journey.label(),
-                journey.actor(),
-                journey.start(),
-                journey.goal(),
-                preferences,
-                journey.ordering(),
-                journey.spread(),
-                journey.slice(),
-                journey.expansions(),
-                journey.seed()));
-    }
-
-    /** Returns the scene with some abilities switched off for a task; the scene itself for another kind of task. */
-    public static Scene without(Scene scene, String task, Set<Ability> abilities) {
-        if (!(scene.task(task).orElse(null) instanceof Journey journey)) {
-            return scene;
-        }
-        Preferences preferences = journey.preferences();
-        for (Ability ability : abilities) {
-            preferences = preferences.with(ability, Preferences.OFF);
-        }
-        return preferring(scene, journey, preferences);
+        return scene.with(journey.preferring(preferences));
     }
 }

@@ -1,10 +1,17 @@
 package troupe.app.panel;
 
 import java.util.Locale;
+import java.util.StringJoiner;
+import troupe.app.document.SceneEdits;
 import troupe.app.look.Texts;
+import troupe.run.Run;
+import troupe.scene.Ability;
+import troupe.scene.Journey;
 import troupe.search.Outcome;
+import troupe.work.Explanation;
+import troupe.work.Flip;
 
-/** Says in words how a task ended. */
+/** Says in words how a task ended, and what would change its plan. */
 final class PlanWords {
     private PlanWords() {}
 
@@ -17,5 +24,39 @@ final class PlanWords {
                     : reason.substring(0, 1).toUpperCase(Locale.ROOT) + reason.substring(1);
         }
         return texts.get("outcome." + outcome.word());
+    }
+
+    /** Returns a sentence for each ability that a plan gives up at some preference, a line each; may be none. */
+    static String flips(Explanation explanation, Texts texts) {
+        StringJoiner sentences = new StringJoiner("\n");
+        for (Flip flip : explanation.flips()) {
+            if (flip.isGivenUp() && flip.ability() != Ability.WALK) {
+                sentences.add(flip(flip, actor(explanation.plan().run()), texts));
+            }
+        }
+        return sentences.toString();
+    }
+
+    private static String flip(Flip flip, String actor, Texts texts) {
+        double times = flip.times();
+        int decimals = times < 1.95 ? 2 : times < 9.95 ? 1 : 0;
+        String instead = "";
+        for (Ability ability : flip.above().used()) {
+            if (ability != Ability.WALK) {
+                String verb = texts.get("why.would." + ability.key());
+                instead = instead.isEmpty() ? verb : texts.format("why.would.and", instead, verb);
+            }
+        }
+        return texts.format(
+                "why.if." + flip.ability().key(),
+                Texts.number(times, decimals),
+                actor,
+                instead.isEmpty() ? texts.get("why.would.walk") : texts.format("why.would.instead", instead));
+    }
+
+    private static String actor(Run run) {
+        return run.scene().task(run.task()).orElseThrow() instanceof Journey journey
+                ? SceneEdits.name(run.scene(), journey.actor())
+                : "";
     }
 }

@@ -15,14 +15,15 @@ import troupe.app.look.Drawn;
 import troupe.app.look.Look;
 import troupe.app.look.Texts;
 import troupe.app.plan.Plan;
-import troupe.app.plan.Route;
 import troupe.app.play.Figures;
 import troupe.app.session.Session;
 import troupe.paint.Tone;
 import troupe.run.Run;
 import troupe.scene.Ability;
+import troupe.work.Explanation;
+import troupe.work.Route;
 
-/** Explains the plan: its energy by ability as a bar, and what it would be without an ability. */
+/** Explains the plan: its energy by ability as a bar, what it would be without an ability, and what would change it. */
 final class WhySection extends Panel {
 
     WhySection(Look look, Session session) {
@@ -48,7 +49,12 @@ final class WhySection extends Panel {
             rows.wide(new Note(PlanWords.outcome(run.get().outcome(), look().texts())), 0);
         } else {
             rows.wide(new EnergyBar(Figures.energyByAbility(run.get())), 9);
-            rows.wide(new Table(table(run.get())), 0);
+            rows.wide(new Table(table(run.get())), 9);
+            Optional<Explanation> why = session().plan().flatMap(Plan::why);
+            String sentences = why.map(e -> PlanWords.flips(e, look().texts())).orElse("");
+            if (!sentences.isEmpty()) {
+                rows.wide(new Note(sentences), 0);
+            }
         }
         revalidate();
         repaint();
@@ -60,10 +66,14 @@ final class WhySection extends Panel {
     private List<Line> table(Run run) {
         List<Line> lines = new ArrayList<>();
         lines.add(line(look().text("why.this"), run, true));
-        for (Route route : session().plan().map(Plan::routes).orElse(List.of())) {
+        List<Route> without = session().plan()
+                .flatMap(Plan::why)
+                .map(Explanation::without)
+                .orElse(List.of());
+        for (Route route : without) {
             String name = name(route.without());
-            if (route.run().isPresent() && route.run().get().outcome().isFound()) {
-                lines.add(line(name, route.run().get(), false));
+            if (route.isFound()) {
+                lines.add(line(name, route.run(), false));
             } else {
                 lines.add(new Line(name, look().text("why.no"), "", false));
             }

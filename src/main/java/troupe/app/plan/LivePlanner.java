@@ -1,25 +1,22 @@
 package troupe.app.plan;
 
-import java.util.ArrayList;
-import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
+import java.util.concurrent.CancellationException;
 import java.util.concurrent.Executor;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import troupe.app.document.EventThread;
 import troupe.app.document.Listeners;
-import troupe.app.document.SceneEdits;
 import troupe.app.document.Version;
 import troupe.run.Engine;
 import troupe.run.Run;
-import troupe.scene.Ability;
 import troupe.scene.Problem;
-import troupe.scene.Scene;
 import troupe.scene.Severity;
 import troupe.search.Outcome;
+import troupe.work.Explainer;
+import troupe.work.Explanation;
 
 /**
  * Plans the newest snapshot on one background thread. A new request makes the one before it obsolete:
@@ -27,7 +24,7 @@ import troupe.search.Outcome;
  * pointer, the work under way may go on for {@link #PATIENCE_MS}, or nothing would ever be shown. What
  * comes back is told on the event thread, and only if it is of the revision asked for last and newer
  * than what was told before. A snapshot is told more than once: its plan, then with its views, and, when it
- * is no moment of a gesture, with all problems and with the routes beside it.
+ * is no moment of a gesture, with all problems, and with what else could be done.
  */
 public final class LivePlanner implements AutoCloseable {
     /** How long in ms work for an earlier moment of the same gesture may go on. */
@@ -110,7 +107,7 @@ public final class LivePlanner implements AutoCloseable {
         watch.report(0, Double.NaN);
         List<Problem> problems = steps.check(snapshot.scene());
         if (snapshot.task().isEmpty() || problems.stream().anyMatch(p -> p.severity() == Severity.ERROR)) {
-            tell(new Plan(snapshot, Optional.empty(), problems, Views.NONE, List.of(), watch.elapsedMs()));
+            tell(new Plan(snapshot, Optional.empty(), problems, Views.NONE, Optional.empty(), watch.elapsedMs()));
             return;
         }
         Engine engine = steps.start(snapshot.scene(), snapshot.task());
@@ -118,13 +115,13 @@ public final class LivePlanner implements AutoCloseable {
             return;
         }
         Run run = engine.run();
-        Plan plan = new Plan(snapshot, Optional.of(run), problems, Views.NONE, List.of(), watch.elapsedMs());
+        Plan plan = new Plan(snapshot, Optional.of(run), problems, Views.NONE, Optional.empty(), watch.elapsedMs());
         tell(plan);
         if (watch.isNewest()) {
             Plan seen = plan.withOverlays(steps.overlays(snapshot.scene(), snapshot.task(), engine));
             tell(seen);
             if (snapshot.version().preview() == 0 && watch.isNewest()) {
-                tellRoutes(seen.withProblems(steps.inspect(snapshot.scene())), run, watch);
+                explain(seen.withProblems(steps.inspect(snapshot.scene())), run, watch);
             }
         }
     }
@@ -148,39 +145,28 @@ public final class LivePlanner implements AutoCloseable {
         return true;
     }
 
-    /** Plans what would come out without each ability that the run uses, and by walking only. */
-    private void tellRoutes(Plan plan, Run run, Watch watch) {
-        Snapshot snapshot = plan.snapshot();
+    /** Plans what else could be done: first without abilities, then at other preferences. */
+    private void explain(Plan plan, Run run, Watch watch) {
         tell(plan);
         if (!run.outcome().isFound()) {
             return;
         }
-        List<Route> routes = new ArrayList<>();
-        for (Set<Ability> without : withouts(run)) {
-            Scene scene = SceneEdits.without(snapshot.scene(), snapshot.task(), without);
-            Engine engine = steps.start(scene, snapshot.task());
-            if (!watch.isNewest() || !finish(engine, watch) || watch.isCancelled()) {
-                return;
+        Explainer explainer = new Explainer((scene, task) -> {
+            Engine engine = steps.start(scene, task);
+            if (!watch.isNewest() || watch.isCancelled()) {
+                engine.cancel();
+            } else {
+                finish(engine, watch);
             }
-            routes.add(new Route(without, Optional.of(engine.run())));
+            return engine.run();
+        });
+        try {
+            Explanation routes = explainer.routes(run);
+            tell(plan.explained(routes));
+            tell(plan.explained(explainer.flips(routes)));
+        } catch (CancellationException e) {
+            return; // a newer request, or the person, ended it: what was told before stays
         }
-        tell(plan.withRoutes(routes));
-    }
-
-    private static List<Set<Ability>> withouts(Run run) {
-        Set<Ability> used = EnumSet.noneOf(Ability.class);
-        for (Ability ability : Ability.values()) {
-            if (ability != Ability.WALK
-                    && run.legs().stream().anyMatch(l -> l.ability().equals(ability.key()))) {
-                used.add(ability);
-            }
-        }
-        List<Set<Ability>> all = new ArrayList<>();
-        used.forEach(ability -> all.add(EnumSet.of(ability)));
-        if (!used.isEmpty()) {
-            all.add(EnumSet.complementOf(EnumSet.of(Ability.WALK)));
-        }
-        return all;
     }
 
     private void tell(Plan plan) {

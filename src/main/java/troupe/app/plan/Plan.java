@@ -5,6 +5,7 @@ import java.util.Optional;
 import troupe.run.Overlay;
 import troupe.run.Run;
 import troupe.scene.Problem;
+import troupe.work.Explanation;
 
 /**
  * Holds what came of planning a snapshot. Immutable.
@@ -12,16 +13,20 @@ import troupe.scene.Problem;
  * @param run what was planned; empty where the scene's errors, or its lack of a task, forbid it
  * @param problems what is wrong with the scene, worst first
  * @param views the views that the planner offers; none until they have been made
- * @param routes the routes that other preferences would give; empty until they have been planned
- * @param millis how long planning took, views and other routes not counted
+ * @param why what else could be done; empty until it has been planned, and first without its flips
+ * @param millis how long planning took, views and explanation not counted
  */
 public record Plan(
-        Snapshot snapshot, Optional<Run> run, List<Problem> problems, Views views, List<Route> routes, double millis) {
+        Snapshot snapshot,
+        Optional<Run> run,
+        List<Problem> problems,
+        Views views,
+        Optional<Explanation> why,
+        double millis) {
 
-    /** Copies the lists. */
+    /** Copies the list. */
     public Plan {
         problems = List.copyOf(problems);
-        routes = List.copyOf(routes);
     }
 
     /** Returns the views that the planner offers; empty until they have been made. */
@@ -31,16 +36,16 @@ public record Plan(
 
     /** Returns this plan with its views. Cost O(their values). */
     public Plan withOverlays(List<Overlay> made) {
-        return new Plan(snapshot, run, problems, Views.of(snapshot.scene(), made), routes, millis);
+        return new Plan(snapshot, run, problems, Views.of(snapshot.scene(), made), why, millis);
     }
 
     /** Returns this plan with all that is wrong with its scene. */
     public Plan withProblems(List<Problem> found) {
-        return new Plan(snapshot, run, found, views, routes, millis);
+        return new Plan(snapshot, run, found, views, why, millis);
     }
 
-    /** Returns this plan with other routes beside it. */
-    public Plan withRoutes(List<Route> planned) {
-        return new Plan(snapshot, run, problems, views, planned, millis);
+    /** Returns this plan with what else could be done. */
+    public Plan explained(Explanation explanation) {
+        return new Plan(snapshot, run, problems, views, Optional.of(explanation), millis);
     }
 }

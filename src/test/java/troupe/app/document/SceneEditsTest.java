@@ -1,17 +1,13 @@
 package troupe.app.document;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
-import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.EnumSet;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import troupe.app.Scenes;
 import troupe.geometry.Point;
 import troupe.geometry.Polygon;
-import troupe.scene.Ability;
 import troupe.scene.Journey;
 import troupe.scene.Place;
 import troupe.scene.Scene;
@@ -52,18 +48,6 @@ class SceneEditsTest {
         assertTrue(left.obstacle("crate").isEmpty());
         assertTrue(left.ditches().isEmpty());
         assertEquals(1, left.actors().size());
-    }
-
-    @Test
-    void switchesAbilitiesOffForOneTask() {
-        Scene scene = Scenes.room();
-        Scene without = SceneEdits.without(scene, "there", EnumSet.of(Ability.VAULT, Ability.MOVE));
-        Journey there = (Journey) without.task("there").orElseThrow();
-        assertFalse(there.preferences().allows(Ability.VAULT));
-        assertFalse(there.preferences().allows(Ability.MOVE));
-        assertTrue(there.preferences().allows(Ability.WALK));
-        assertEquals(scene.task("back"), without.task("back"));
-        assertSame(scene, SceneEdits.without(scene, "nowhere", EnumSet.of(Ability.VAULT)));
     }
 
     @Test

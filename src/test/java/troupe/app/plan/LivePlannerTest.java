@@ -28,15 +28,19 @@ import troupe.scene.Problem;
 import troupe.scene.Scene;
 import troupe.scene.Severity;
 import troupe.search.Outcome;
+import troupe.work.Explanation;
+import troupe.work.Route;
 
 class LivePlannerTest implements PlanningSteps {
     private static final long FOREVER = 1_000_000;
     private static final Run.Leg VAULT = new Run.Leg("ann", "vault", "crate", 0, 1, 2, List.of());
+    private static final Run.Leg ROUND = new Run.Leg("ann", "walk", "", 0, 1, 6, List.of());
 
     private final BlockingQueue<Plan> told = new LinkedBlockingQueue<>();
     private final BlockingQueue<Work> works = new LinkedBlockingQueue<>();
     private final Map<Scene, Runnable> during = new ConcurrentHashMap<>();
     private final Map<Scene, List<Problem>> problems = new ConcurrentHashMap<>();
+    private volatile Runnable whileExplaining = () -> {};
     private LivePlanner planner;
 
     @Override
@@ -54,10 +58,12 @@ class LivePlannerTest implements PlanningSteps {
     @Override
     public Engine start(Scene scene, String task) {
         assertFalse(EventQueue.isDispatchThread());
-        boolean vaults = scene.task(task).orElseThrow() instanceof Journey j
-                && j.preferences().allows(Ability.VAULT);
-        return new ScriptedEngine(
-                scene, task, 3, vaults ? List.of(VAULT) : List.of(), during.getOrDefault(scene, () -> {}));
+        Journey journey = (Journey) scene.task(task).orElseThrow();
+        boolean vaults = journey.preferences().of(Ability.VAULT) < 3;
+        Runnable each = journey.preferences().allows(Ability.VAULT)
+                ? during.getOrDefault(scene, () -> {})
+                : whileExplaining;
+        return new ScriptedEngine(scene, task, 3, List.of(vaults ? VAULT : ROUND), each);
     }
 
     @Override
@@ -125,7 +131,7 @@ class LivePlannerTest implements PlanningSteps {
     }
 
     @Test
-    void tellsThePlanThenItsViewsThenTheRoutesBesideIt() throws InterruptedException {
+    void tellsThePlanThenItsViewsThenWhatElseCouldBeDone() throws InterruptedException {
         begin(FOREVER);
         request(snapshot(1, 0));
         Plan plan = next();
@@ -134,14 +140,42 @@ class LivePlannerTest implements PlanningSteps {
         assertEquals(1, next().overlays().size());
         Plan inspected = next();
         assertEquals("inspected", inspected.problems().get(0).message());
-        List<Route> routes = next().routes();
+        List<Route> routes = next().why().orElseThrow().without();
         assertEquals(
                 List.of(EnumSet.of(Ability.VAULT), EnumSet.complementOf(EnumSet.of(Ability.WALK))),
                 routes.stream().map(Route::without).toList());
         Journey without = (Journey)
-                routes.get(0).run().orElseThrow().scene().task("there").orElseThrow();
+                routes.get(0).run().scene().task("there").orElseThrow();
         assertFalse(without.preferences().allows(Ability.VAULT));
         assertTrue(without.preferences().allows(Ability.STRIDE));
+        Explanation whole = next().why().orElseThrow();
+        assertEquals(3, whole.givenUp(Ability.VAULT).orElseThrow().times(), 1e-9);
+    }
+
+    @Test
+    void aNewRequestEndsTheExplanationOfTheOneBefore() throws InterruptedException {
+        begin(FOREVER);
+        replaceWhileExplaining(snapshot(1, 0), snapshot(2, 0));
+        Plan plan = next();
+        while (plan.snapshot().version().revision() == 1) {
+            assertTrue(plan.why().isEmpty());
+            plan = next();
+        }
+        assertEquals(2, plan.snapshot().version().revision());
+    }
+
+    /** Asks for another snapshot while the first one is planned without its ability to vault. */
+    private void replaceWhileExplaining(Snapshot first, Snapshot second) throws InterruptedException {
+        CountDownLatch begun = new CountDownLatch(1);
+        CountDownLatch goOn = new CountDownLatch(1);
+        whileExplaining = () -> {
+            begun.countDown();
+            await(goOn);
+        };
+        request(first);
+        assertTrue(begun.await(20, TimeUnit.SECONDS));
+        request(second);
+        goOn.countDown();
     }
 
     @Test
@@ -169,7 +203,7 @@ class LivePlannerTest implements PlanningSteps {
     }
 
     @Test
-    void aMomentOfAGestureHasNoRoutesBesideIt() throws InterruptedException {
+    void aMomentOfAGestureIsNotExplained() throws InterruptedException {
         begin(FOREVER);
         request(snapshot(1, 1));
         next();

@@ -64,9 +64,18 @@ public final class ScriptedEngine implements Engine {
                 scene,
                 task,
                 outcome,
-                Report.builder().put("steps", done).build(),
+                Report.builder()
+                        .put("steps", done)
+                        .put("energy_by_ability", energy())
+                        .build(),
                 new FrameRecorder(25, List.of()).frames(),
                 legs,
                 List.of());
+    }
+
+    private Report energy() {
+        Report.Builder joules = Report.builder();
+        legs.forEach(leg -> joules.put(leg.ability(), leg.energy()));
+        return joules.build();
     }
 }
