@@ -61,7 +61,8 @@ class ExplainCommandTest {
         assertEquals(1, json.lines().count());
         assertTrue(json.startsWith("{\"task\":\"across\",\"solved\":true,\"energy\":9.4"), json);
         assertTrue(json.contains("\"course\":[\"walk\",\"vault wall\",\"walk\"]"), json);
-        assertTrue(json.contains("\"vault\":6.1},\"cost_by_ability\":{\"walk\":3.3000000000000003,\"vault\":3.05}"), json);
+        assertTrue(
+                json.contains("\"vault\":6.1},\"cost_by_ability\":{\"walk\":3.3000000000000003,\"vault\":3.05}"), json);
         assertTrue(json.contains("\"without\":[{\"abilities_off\":[\"vault\"],\"solved\":true"), json);
         assertTrue(json.contains("\"flips\":[{\"ability\":\"vault\",\"preference\":1.17"), json);
         assertTrue(json.contains("\"times\":2.34"), json);

@@ -44,8 +44,7 @@ class ExplainerTest {
 
     private static Scene room(double wallEnd) {
         Actor ann = Actor.standard("ann").without(Set.of(Ability.SIDESTEP, Ability.STRIDE, Ability.MOVE));
-        Obstacle wall =
-                new Obstacle("wall", "", Polygon.rectangle(2.92, 0, 3.08, wallEnd), 0, 0.8, false, 20, "");
+        Obstacle wall = new Obstacle("wall", "", Polygon.rectangle(2.92, 0, 3.08, wallEnd), 0, 0.8, false, 20, "");
         Journey across = Journey.of("across", "ann", Place.of(1.05, 1.05), Place.of(5.05, 1.05));
         return new Scene("", new World(6, 6, 0.1), List.of(wall), List.of(), List.of(ann), List.of(across));
     }
@@ -182,6 +181,8 @@ class ExplainerTest {
                 assertEquals(share > 1 && flip.isGivenUp(), !uses, name);
             }
         }
-        assertFalse(flip.below().course().equals(flip.above().course()), flip.below().course().toString());
+        assertFalse(
+                flip.below().course().equals(flip.above().course()),
+                flip.below().course().toString());
     }
 }

@@ -66,10 +66,8 @@ final class WhySection extends Panel {
     private List<Line> table(Run run) {
         List<Line> lines = new ArrayList<>();
         lines.add(line(look().text("why.this"), run, true));
-        List<Route> without = session().plan()
-                .flatMap(Plan::why)
-                .map(Explanation::without)
-                .orElse(List.of());
+        List<Route> without =
+                session().plan().flatMap(Plan::why).map(Explanation::without).orElse(List.of());
         for (Route route : without) {
             String name = name(route.without());
             if (route.isFound()) {

@@ -17,7 +17,8 @@ import troupe.work.Tasks;
 class PlanWordsTest {
     private static Explanation explain(String file, String task) throws SceneException, IOException {
         Scene scene = SceneXml.read(Path.of("scenes", "unified", file)).scene();
-        Explainer explainer = new Explainer((other, id) -> Tasks.start(other, id).finish());
+        Explainer explainer =
+                new Explainer((other, id) -> Tasks.start(other, id).finish());
         return explainer.explain(Tasks.start(scene, task).finish());
     }
 
@@ -27,8 +28,7 @@ class PlanWordsTest {
         assertEquals(
                 "If vaulting cost 4.1 times as much, Ann would walk round.",
                 PlanWords.flips(courtyard, new Texts(Locale.ENGLISH)));
-        assertEquals(
-                "若翻越的代價變為 4.1 倍，Ann 就會繞道行走。", PlanWords.flips(courtyard, new Texts(Locale.TRADITIONAL_CHINESE)));
+        assertEquals("若翻越的代價變為 4.1 倍，Ann 就會繞道行走。", PlanWords.flips(courtyard, new Texts(Locale.TRADITIONAL_CHINESE)));
     }
 
     @Test

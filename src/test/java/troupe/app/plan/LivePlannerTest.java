@@ -60,9 +60,8 @@ class LivePlannerTest implements PlanningSteps {
         assertFalse(EventQueue.isDispatchThread());
         Journey journey = (Journey) scene.task(task).orElseThrow();
         boolean vaults = journey.preferences().of(Ability.VAULT) < 3;
-        Runnable each = journey.preferences().allows(Ability.VAULT)
-                ? during.getOrDefault(scene, () -> {})
-                : whileExplaining;
+        Runnable each =
+                journey.preferences().allows(Ability.VAULT) ? during.getOrDefault(scene, () -> {}) : whileExplaining;
         return new ScriptedEngine(scene, task, 3, List.of(vaults ? VAULT : ROUND), each);
     }
 
@@ -144,8 +143,7 @@ class LivePlannerTest implements PlanningSteps {
         assertEquals(
                 List.of(EnumSet.of(Ability.VAULT), EnumSet.complementOf(EnumSet.of(Ability.WALK))),
                 routes.stream().map(Route::without).toList());
-        Journey without = (Journey)
-                routes.get(0).run().scene().task("there").orElseThrow();
+        Journey without = (Journey) routes.get(0).run().scene().task("there").orElseThrow();
         assertFalse(without.preferences().allows(Ability.VAULT));
         assertTrue(without.preferences().allows(Ability.STRIDE));
         Explanation whole = next().why().orElseThrow();
