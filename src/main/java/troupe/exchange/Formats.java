@@ -11,7 +11,7 @@ import troupe.scene.Scene;
 public final class Formats {
     private static final List<Exporter> EXPORTERS =
             List.of(new CsvExport(), new SvgExport(), new ImageExport(), new ImagesExport(), new GifExport());
-    private static final List<Importer> IMPORTERS = List.of(new MapImport());
+    private static final List<Importer> IMPORTERS = List.of(new MapImport(), new NamosimImport());
 
     private Formats() {}
 
