@@ -52,6 +52,45 @@ public record Window(int col0, int row0, int cols, int rows) {
         return (row - row0) * cols + at - row * frame.cols() - col0;
     }
 
+    /** Returns the smallest window that holds the cells set in a mask of this one, none if all are clear. */
+    public Window occupied(byte[] mask) {
+        int left = cols;
+        int right = -1;
+        int low = rows;
+        int high = -1;
+        for (int row = 0; row < rows; row++) {
+            int base = row * cols;
+            int first = 0;
+            while (first < cols && mask[base + first] == 0) {
+                first++;
+            }
+            if (first == cols) {
+                continue;
+            }
+            int last = cols - 1;
+            while (mask[base + last] == 0) {
+                last--;
+            }
+            left = Math.min(left, first);
+            right = Math.max(right, last);
+            low = Math.min(low, row);
+            high = row;
+        }
+        return high < 0
+                ? new Window(0, 0, 0, 0)
+                : new Window(col0 + left, row0 + low, right - left + 1, high - low + 1);
+    }
+
+    /** Returns the part of a mask of this window that belongs to a window within it; a new array. */
+    public byte[] cut(byte[] mask, Window part) {
+        byte[] cut = new byte[part.size()];
+        for (int row = 0; row < part.rows; row++) {
+            int from = (part.row0 + row - row0) * cols + part.col0 - col0;
+            System.arraycopy(mask, from, cut, row * part.cols, part.cols);
+        }
+        return cut;
+    }
+
     private Window union(Window other) {
         int left = Math.min(col0, other.col0);
         int low = Math.min(row0, other.row0);

@@ -20,7 +20,7 @@ class MorphologyOracleTest {
             double radius = random.nextInt(3) == 0 ? random.nextInt(7) : 7 * random.nextDouble();
             boolean outside = random.nextBoolean();
             byte[] in = DistanceTransformOracleTest.randomMask(random, cols * rows);
-            Morphology morphology = new Morphology(cols, rows, 7);
+            Morphology morphology = new Morphology(cols, rows, round % 2 == 0 ? 7 : 50);
             String message = "seed " + SEED + ", round " + round + ", radius " + radius;
             byte[] out = new byte[cols * rows];
             morphology.dilate(in, radius, outside, out);
@@ -31,6 +31,30 @@ class MorphologyOracleTest {
             assertArrayEquals(naive(in, cols, rows, radius, outside, 0, 1), out, "open, " + message);
             morphology.close(in, radius, outside, out);
             assertArrayEquals(naive(in, cols, rows, radius, outside, 1, 0), out, "close, " + message);
+        }
+    }
+
+    /** Rows of bits and sweeps, of which the largest radius decides, agree on grids of several words. */
+    @Test
+    void bothKernelsAgreeOnWideGrids() {
+        Random random = new Random(SEED);
+        for (int round = 0; round < 40; round++) {
+            int cols = 60 + random.nextInt(140);
+            int rows = 1 + random.nextInt(40);
+            double radius = 40 * random.nextDouble();
+            boolean outside = random.nextBoolean();
+            byte[] in = new byte[cols * rows];
+            for (int i = 0; i < in.length; i++) {
+                in[i] = (byte) (random.nextInt(round + 2) == 0 ? 1 - 2 * random.nextInt(2) : 0);
+            }
+            byte[] bits = new byte[in.length];
+            byte[] swept = new byte[in.length];
+            new Morphology(cols, rows, 40).open(in, radius, outside, bits);
+            new Morphology(cols, rows, 60).open(in, radius, outside, swept);
+            assertArrayEquals(swept, bits, "open, seed " + SEED + ", round " + round + ", radius " + radius);
+            new Morphology(cols, rows, 40).close(in, radius, outside, bits);
+            new Morphology(cols, rows, 60).close(in, radius, outside, swept);
+            assertArrayEquals(swept, bits, "close, seed " + SEED + ", round " + round + ", radius " + radius);
         }
     }
 

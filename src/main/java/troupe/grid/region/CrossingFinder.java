@@ -104,34 +104,34 @@ final class CrossingFinder {
         return kinds[q] == Kind.STABLE && (abilities[q] & Ability.WALK.bit()) != 0;
     }
 
-    /** Returns per column the sheet of the span within a step of a floor, -1 if there is none. */
+    /** Returns per column the first id of the sheet of the span within a step of a floor, -1 if there is none. */
     private int[] sheetsNear(double floor) {
-        int[] sheet = new int[spans.columns()];
-        for (int column = 0; column < sheet.length; column++) {
-            sheet[column] = -1;
+        int[] base = new int[spans.columns()];
+        for (int column = 0; column < base.length; column++) {
+            base[column] = -1;
             for (int k = 0; k < spans.sheets(); k++) {
                 if (Math.abs(spans.floor(column, k) - floor) <= actor.stepHeight() + Column.SAME) {
-                    sheet[column] = k;
+                    base[column] = k * frame.size();
                 }
             }
         }
-        return sheet;
+        return base;
     }
 
     private void gaps(int level, double gait) {
         double floor = spans.elevation(level);
-        int[] sheet = sheetsNear(floor);
-        boolean[] free = new boolean[sheet.length];
+        int[] base = sheetsNear(floor);
+        boolean[] free = new boolean[base.length];
         boolean any = false;
-        for (int column = 0; column < sheet.length; column++) {
+        for (int column = 0; column < base.length; column++) {
             free[column] = !columns.column(column).meets(floor + actor.stepHeight(), floor + actor.bodyHeight());
-            any |= free[column] && sheet[column] < 0;
+            any |= free[column] && base[column] < 0;
         }
         for (int other = 0; other < drops.length; other++) {
             any |= drops[other] > 0 && within(spans.elevation(other), floor);
         }
         if (any) {
-            clusters(level, gait).forEach(surface -> gaps(level, gait, surface, sheet, free));
+            clusters(level, gait).forEach(surface -> gaps(level, gait, surface, base, free));
         }
     }
 
@@ -181,67 +181,36 @@ final class CrossingFinder {
         return boxes;
     }
 
-    private void gaps(int level, double gait, Window surface, int[] sheet, boolean[] free) {
-        Window open = outermost(surface, at -> free[columnAt[at]] && !supported(at, sheet));
-        if (open.size() == 0) {
+    private void gaps(int level, double gait, Window surface, int[] base, boolean[] free) {
+        byte[] supported = new byte[surface.size()];
+        byte[] open = new byte[surface.size()];
+        for (int row = 0, i = 0; row < surface.rows(); row++) {
+            int at = (surface.row0() + row) * frame.cols() + surface.col0();
+            for (int end = i + surface.cols(); i < end; i++, at++) {
+                int column = columnAt[at];
+                boolean carries = base[column] >= 0 && kinds[base[column] + at] != Kind.FORBIDDEN;
+                supported[i] = (byte) (carries ? 1 : 0);
+                open[i] = (byte) (!carries && free[column] ? 1 : 0);
+            }
+        }
+        Window holes = surface.occupied(open);
+        if (holes.size() == 0) {
             return;
         }
-        Window window = open.grown((int) Math.ceil(gait / cell) + 1, frame).common(surface);
-        byte[] supported = new byte[window.size()];
-        byte[] gap = new byte[window.size()];
-        for (int i = 0, row = 0; row < window.rows(); row++) {
-            int at = (window.row0() + row) * frame.cols() + window.col0();
-            for (int col = 0; col < window.cols(); col++, i++, at++) {
-                supported[i] = (byte) (supported(at, sheet) ? 1 : 0);
-            }
-        }
+        Window window = holes.grown((int) Math.ceil(gait / cell) + 1, frame).common(surface);
+        byte[] gap = surface.cut(supported, window);
+        byte[] candidates = surface.cut(open, window);
         double radius = gait / 2 / cell;
-        new Morphology(window.cols(), window.rows(), radius).close(supported, radius, false, gap);
-        boolean any = false;
-        for (int i = 0; i < gap.length; i++) {
-            boolean candidate = gap[i] != 0 && supported[i] == 0 && free[columnAt[cellOf(window, i)]];
-            gap[i] = (byte) (candidate ? 1 : 0);
-            any |= candidate;
+        new Morphology(window.cols(), window.rows(), radius).close(gap, radius, false, gap);
+        int any = 0;
+        for (int i = 0; i < candidates.length; i++) {
+            candidates[i] &= gap[i];
+            any |= candidates[i];
         }
-        if (any) {
-            solids.clearNear(spans.elevation(level), window, gap);
-            keep(level, Kind.GAP, gait, window, gap, sheet);
+        if (any != 0) {
+            solids.clearNear(spans.elevation(level), window, candidates);
+            keep(level, Kind.GAP, gait, window, candidates, base);
         }
-    }
-
-    private boolean supported(int at, int[] sheet) {
-        int k = sheet[columnAt[at]];
-        return k >= 0 && kinds[k * frame.size() + at] != Kind.FORBIDDEN;
-    }
-
-    /** Says something of a cell of the frame. */
-    private interface Cells {
-        boolean hold(int at);
-    }
-
-    /** Returns the smallest window within another that has all of its cells for which something holds. */
-    private Window outermost(Window within, Cells cells) {
-        int left = Integer.MAX_VALUE;
-        int low = Integer.MAX_VALUE;
-        int right = -1;
-        int high = -1;
-        for (int row = within.row0(); row < within.row0() + within.rows(); row++) {
-            int at = row * frame.cols() + within.col0();
-            for (int col = within.col0(); col < within.col0() + within.cols(); col++, at++) {
-                if (cells.hold(at)) {
-                    left = Math.min(left, col);
-                    right = Math.max(right, col);
-                    low = Math.min(low, row);
-                    high = row;
-                }
-            }
-        }
-        return right < 0 ? new Window(0, 0, 0, 0) : new Window(left, low, right - left + 1, high - low + 1);
-    }
-
-    private int cellOf(Window window, int i) {
-        int row = i / window.cols();
-        return (window.row0() + row) * frame.cols() + window.col0() + i - row * window.cols();
     }
 
     private void vaults(int level, Actor.Vault vault) {
@@ -252,7 +221,7 @@ final class CrossingFinder {
         }
         Window reachable = takeOff(level).grown((int) Math.ceil(vault.reach() / cell) + 1, frame);
         List<Window> clusters = clusters(level, vault.reach());
-        int[] sheet = sheetsNear(floor);
+        int[] base = sheetsNear(floor);
         List<Window> windows = new ArrayList<>();
         for (Box box : Window.apart(boxes)) {
             for (Window cluster : clusters) {
@@ -263,62 +232,65 @@ final class CrossingFinder {
             }
         }
         int margin = 3 * (int) Math.ceil(vault.reach() / 2 / cell);
-        Window.merged(windows, margin).forEach(window -> vaults(level, vault, window, sheet));
+        Window.merged(windows, margin).forEach(window -> vaults(level, vault, window, base));
     }
 
-    private void vaults(int level, Actor.Vault vault, Window inner, int[] sheet) {
+    private void vaults(int level, Actor.Vault vault, Window inner, int[] base) {
         Window window = inner.grown((int) Math.ceil(vault.reach() / cell) + 1, frame);
         byte[] vaultable = new byte[window.size()];
-        solids.vaultable(spans.elevation(level), vault, window, vaultable);
-        if (outermost(inner, at -> vaultable[window.index(frame, at)] != 0).size() == 0) {
+        if (!solids.vaultable(spans.elevation(level), vault, window, vaultable)) {
             return;
         }
         byte[] barred = new byte[window.size()];
-        for (int i = 0; i < barred.length; i++) {
-            int at = cellOf(window, i);
-            int k = sheet[columnAt[at]];
-            boolean walkable = k >= 0 && (abilities[k * frame.size() + at] & Ability.WALK.bit()) != 0;
-            barred[i] = (byte) (vaultable[i] != 0 || !walkable ? 1 : 0);
+        int walk = Ability.WALK.bit();
+        for (int row = 0, i = 0; row < window.rows(); row++) {
+            int at = (window.row0() + row) * frame.cols() + window.col0();
+            for (int end = i + window.cols(); i < end; i++, at++) {
+                int first = base[columnAt[at]];
+                boolean walkable = first >= 0 && (abilities[first + at] & walk) != 0;
+                barred[i] = walkable ? vaultable[i] : 1;
+            }
         }
         double radius = vault.reach() / 2 / cell;
         new Morphology(window.cols(), window.rows(), radius).open(barred, radius, true, barred);
-        boolean any = false;
-        for (int i = 0; i < barred.length; i++) {
-            int row = i / window.cols();
-            boolean candidate = vaultable[i] != 0
-                    && barred[i] == 0
-                    && inner.holds(window.col0() + i - row * window.cols(), window.row0() + row);
-            vaultable[i] = (byte) (candidate ? 1 : 0);
-            any |= candidate;
+        byte[] candidates = new byte[window.size()];
+        int any = 0;
+        for (int row = inner.row0(); row < inner.row0() + inner.rows(); row++) {
+            int i = (row - window.row0()) * window.cols() + inner.col0() - window.col0();
+            for (int end = i + inner.cols(); i < end; i++) {
+                candidates[i] = (byte) (vaultable[i] & ~barred[i]);
+                any |= candidates[i];
+            }
         }
-        if (any) {
-            keep(level, Kind.JUMPABLE, vault.reach(), window, vaultable, sheet);
+        if (any != 0) {
+            keep(level, Kind.JUMPABLE, vault.reach(), window, candidates, base);
         }
     }
 
     /** Keeps of the candidates in a window what lies on a legal straight crossing. */
-    private void keep(int level, byte kind, double limit, Window window, byte[] candidates, int[] sheet) {
-        Window ends = outermost(window, at -> candidates[window.index(frame, at)] != 0)
-                .grown(1, frame)
-                .common(window);
-        byte[] state = new byte[ends.size()];
-        for (int i = 0; i < state.length; i++) {
-            int at = cellOf(ends, i);
-            int k = sheet[columnAt[at]];
-            int bits = candidates[window.index(frame, at)] != 0 ? Pruning.CANDIDATE : 0;
-            if (k >= 0 && takesOff(k * frame.size() + at)) {
-                bits |= Pruning.END;
-                bits |= spans.level(columnAt[at], k) == level ? Pruning.BEGIN : 0;
+    private void keep(int level, byte kind, double limit, Window window, byte[] candidates, int[] base) {
+        Window ends = window.occupied(candidates).grown(1, frame).common(window);
+        byte[] state = window.cut(candidates, ends);
+        for (int row = 0, i = 0; row < ends.rows(); row++) {
+            int at = (ends.row0() + row) * frame.cols() + ends.col0();
+            for (int end = i + ends.cols(); i < end; i++, at++) {
+                int first = base[columnAt[at]];
+                if (first >= 0 && takesOff(first + at)) {
+                    boolean begins = spans.level(columnAt[at], first / frame.size()) == level;
+                    state[i] |= (byte) (begins ? Pruning.END | Pruning.BEGIN : Pruning.END);
+                }
             }
-            state[i] = (byte) bits;
         }
         byte[] kept = new Pruning(ends.cols(), ends.rows(), state).kept(Pruning.squaredCells(limit, cell));
-        for (int i = 0; i < kept.length; i++) {
-            if (kept[i] != 0) {
-                if (count == found.length) {
-                    found = Arrays.copyOf(found, 2 * count);
+        for (int row = 0, i = 0; row < ends.rows(); row++) {
+            int at = (ends.row0() + row) * frame.cols() + ends.col0();
+            for (int end = i + ends.cols(); i < end; i++, at++) {
+                if (kept[i] != 0) {
+                    if (count == found.length) {
+                        found = Arrays.copyOf(found, 2 * count);
+                    }
+                    found[count++] = Crossings.key(at, level, kind);
                 }
-                found[count++] = Crossings.key(cellOf(ends, i), level, kind);
             }
         }
     }

@@ -29,6 +29,7 @@ final class Pruning {
     private final Straight.Cells keep;
     private int left;
     private int[] sums = {};
+    private int[] ends = {};
     private int[] endCols = {};
     private int[] endRows = {};
     private int[] firstOfRow = {};
@@ -50,7 +51,7 @@ final class Pruning {
     /** Returns a mask of the candidates that lie on a crossing of at most the given squared length in cells. */
     byte[] kept(double squared) {
         int reach = (int) Math.floor(Math.sqrt(squared));
-        int[] ends = ends();
+        ends = ends();
         for (int e : ends) {
             if ((state[e] & BEGIN) != 0) {
                 alongDirections(e, squared);
@@ -58,7 +59,7 @@ final class Pruning {
         }
         if (left > 0) {
             countLeft();
-            unpack(ends);
+            unpack();
             for (int n = 0; n < ends.length; n++) {
                 if (left > 0 && (state[ends[n]] & BEGIN) != 0 && anyLeft(endCols[n], endRows[n], reach)) {
                     toEnds(n, reach, squared);
@@ -162,30 +163,43 @@ final class Pruning {
         return true;
     }
 
-    /** Keeps what the crossings from one begin to all ends within reach pass. */
+    /** Keeps what the crossings from one begin to all ends within reach pass, begins tried before left out. */
     private void toEnds(int begin, int reach, double squared) {
+        int row = endRows[begin];
+        for (int y = Math.max(0, row - reach), high = Math.min(rows - 1, row + reach); y <= high; y++) {
+            if (firstOfRow[y] < firstOfRow[y + 1]) {
+                double rest = squared - (double) (y - row) * (y - row);
+                toEndsOfRow(begin, y, rest < 0 ? -1 : (int) Math.sqrt(rest));
+            }
+        }
+    }
+
+    private void toEndsOfRow(int begin, int y, int across) {
         int col = endCols[begin];
         int row = endRows[begin];
-        for (int n = firstOfRow[Math.max(0, row - reach)], last = firstOfRow[Math.min(rows, row + reach + 1)];
-                n < last;
-                n++) {
+        int low = Math.min(row, y);
+        int high = Math.max(row, y);
+        if (!anyLeft(col - across, low, col + across, high)) {
+            return;
+        }
+        int n = firstOfRow[y];
+        int last = firstOfRow[y + 1];
+        while (n < last && endCols[n] < col - across) {
+            n++;
+        }
+        for (; n < last && endCols[n] <= col + across; n++) {
             int dx = endCols[n] - col;
-            int dy = endRows[n] - row;
-            if ((double) dx * dx + (double) dy * dy <= squared
-                    && (dx | dy) != 0
-                    && anyLeft(
-                            Math.min(col, col + dx),
-                            Math.min(row, row + dy),
-                            Math.max(col, col + dx),
-                            Math.max(row, row + dy))
-                    && Straight.passes(row * cols + col, dx, dy, cols, candidate)) {
-                Straight.passes(row * cols + col, dx, dy, cols, keep);
+            boolean tried = n <= begin && (state[ends[n]] & BEGIN) != 0;
+            if (!tried
+                    && anyLeft(Math.min(col, endCols[n]), low, Math.max(col, endCols[n]), high)
+                    && Straight.passes(row * cols + col, dx, y - row, cols, candidate)) {
+                Straight.passes(row * cols + col, dx, y - row, cols, keep);
             }
         }
     }
 
     /** Unpacks the ascending cells of the ends, so that pairs are found without divisions. */
-    private void unpack(int[] ends) {
+    private void unpack() {
         endCols = new int[ends.length];
         endRows = new int[ends.length];
         firstOfRow = new int[rows + 1];

@@ -32,6 +32,7 @@ final class Solids {
     private final boolean touching;
     private final Window[] boxes;
     private final int[][] outlines;
+    private final int[][] covers;
     private final double[] grounds;
     private final List<Integer> walls;
     private int[] edge;
@@ -48,6 +49,7 @@ final class Solids {
         int count = scene.obstacles().size();
         this.boxes = new Window[count];
         this.outlines = new int[count][];
+        this.covers = new int[count][];
         for (int i = 0; i < count; i++) {
             boxes[i] =
                     Window.of(frame, scene.obstacles().get(i).outline().bounds().grown(radius));
@@ -127,6 +129,18 @@ final class Solids {
         }
     }
 
+    /** Puts the cells near an obstacle's outline and those inside it into the runs. */
+    private void covered(int obstacle) {
+        if (covers[obstacle] == null) {
+            outline(obstacle);
+            runs.fill(scene.obstacles().get(obstacle).outline());
+            covers[obstacle] = runs.copy();
+        } else {
+            runs.clear();
+            runs.add(covers[obstacle]);
+        }
+    }
+
     /** Puts the cells near a piece into the runs. */
     private void piece(int i) {
         runs.clear();
@@ -162,30 +176,35 @@ final class Solids {
     /**
      * Sets the cells of a window that are in the way of a walking body on {@code floor} only because of
      * solids whose tops a vault can take, with room above the highest of them for the vaulting body.
+     *
+     * @return whether there are any
      */
-    void vaultable(double floor, Actor.Vault vault, Window window, byte[] mask) {
-        double[] highest = new double[window.size()];
-        ground(floor, vault, window, mask, highest);
+    boolean vaultable(double floor, Actor.Vault vault, Window window, byte[] mask) {
         List<Integer> above = new ArrayList<>();
+        List<Integer> inTheWay = new ArrayList<>();
         for (int n = 0; n < boxes.length; n++) {
             Obstacle obstacle = scene.obstacles().get(n);
             if (!boxes[n].meets(window)) {
                 continue;
             }
             if (RegionBuilder.blocks(obstacle, floor, actor.stepHeight(), actor.bodyHeight())) {
-                outline(n);
-                runs.fill(obstacle.outline());
-                hit(obstacle.top(), inRange(obstacle.top(), floor, vault), window, mask, highest);
+                inTheWay.add(n);
             } else if (obstacle.offset() >= floor + actor.bodyHeight() - Column.SAME
                     && obstacle.offset() < floor + vault.maxHeight() + vault.bodyHeight()
                     && !inRange(obstacle.top(), floor, vault)) {
                 above.add(n);
             }
         }
+        double[] highest = new double[above.isEmpty() ? 0 : window.size()];
+        ground(floor, vault, window, mask, highest);
+        for (int n : inTheWay) {
+            double top = scene.obstacles().get(n).top();
+            covered(n);
+            hit(top, inRange(top, floor, vault), window, mask, highest);
+        }
         for (int n : above) {
             Obstacle obstacle = scene.obstacles().get(n);
-            outline(n);
-            runs.fill(obstacle.outline());
+            covered(n);
             window.each(runs, frame, (from, to) -> {
                 for (int i = from; i < to; i++) {
                     if (mask[i] == HIT && obstacle.offset() < highest[i] + vault.bodyHeight() - Column.SAME) {
@@ -194,9 +213,12 @@ final class Solids {
                 }
             });
         }
+        int any = 0;
         for (int i = 0; i < mask.length; i++) {
-            mask[i] = (byte) (mask[i] == HIT ? 1 : 0);
+            mask[i] = (byte) (mask[i] & ~(mask[i] >> 1) & HIT);
+            any |= mask[i];
         }
+        return any != 0;
     }
 
     /** Marks where ground, or the world's edge, stands in the way. */
@@ -211,7 +233,9 @@ final class Solids {
                 double ground = grounds[at[cell]];
                 if (ground > limit) {
                     mask[i] |= inRange(ground, floor, vault) ? HIT : HIT | BAD;
-                    highest[i] = ground;
+                    if (highest.length > 0) {
+                        highest[i] = ground;
+                    }
                 }
             }
         }
@@ -227,6 +251,14 @@ final class Solids {
 
     private void hit(double top, boolean inRange, Window window, byte[] mask, double[] highest) {
         int bits = inRange ? HIT : HIT | BAD;
+        if (highest.length == 0) {
+            window.each(runs, frame, (from, to) -> {
+                for (int i = from; i < to; i++) {
+                    mask[i] |= (byte) bits;
+                }
+            });
+            return;
+        }
         window.each(runs, frame, (from, to) -> {
             for (int i = from; i < to; i++) {
                 highest[i] = (mask[i] & HIT) == 0 ? top : Math.max(highest[i], top);
