@@ -13,16 +13,20 @@ final class Neighbours {
     private final Crossings crossings;
     private final byte[] abilities;
     private final Joints joints;
+    private final byte[] moves;
+    private final BitSet elsewhere;
     private final double stepHeight;
     private final int[] offsets;
     private final int spanCount;
 
-    Neighbours(Actor actor, Spans spans, Crossings crossings, byte[] abilities, Joints joints) {
+    Neighbours(Actor actor, Spans spans, Crossings crossings, byte[] abilities, Joints joints, Moves steps) {
         this.frame = spans.frame();
         this.spans = spans;
         this.crossings = crossings;
         this.abilities = abilities;
         this.joints = joints;
+        this.moves = steps.moves();
+        this.elsewhere = steps.elsewhere();
         this.stepHeight = actor.stepHeight();
         this.offsets = frame.offsets();
         this.spanCount = spans.size();
@@ -60,9 +64,15 @@ final class Neighbours {
             return 0;
         }
         int count = 0;
+        boolean onSheet = q < spanCount && !elsewhere.get(q);
         for (int d = 0; d < GridFrame.DIRECTIONS; d++) {
             int to = cell + offsets[d];
-            if (q < spanCount) {
+            if (onSheet) {
+                if ((moves[q] >> d & 1) != 0) {
+                    targets[count] = q + offsets[d];
+                    directions[count++] = d;
+                }
+            } else if (q < spanCount) {
                 int target = joints.legal(q, cell, d);
                 if (target >= 0) {
                     targets[count] = target;
@@ -96,13 +106,23 @@ final class Neighbours {
                         && bridged(q, cell, cell + offsets[d - 3 & 3], target, cell + offsets[d]);
     }
 
-    /** Tells whether something over {@code middle} is joined to both ends. */
+    /** Tells whether something over {@code middle} is joined to both ends; looks first for the likelier. */
     private boolean bridged(int q, int cell, int middle, int target, int to) {
+        return q >= spanCount && target >= spanCount
+                ? byCrossing(q, cell, middle, target, to) || bySpan(q, cell, middle, target, to)
+                : bySpan(q, cell, middle, target, to) || byCrossing(q, cell, middle, target, to);
+    }
+
+    private boolean bySpan(int q, int cell, int middle, int target, int to) {
         for (int s = middle; s < spanCount; s += frame.size()) {
             if (abilities[s] != 0 && joins(q, cell, s, middle) && joins(s, middle, target, to)) {
                 return true;
             }
         }
+        return false;
+    }
+
+    private boolean byCrossing(int q, int cell, int middle, int target, int to) {
         for (int i = crossings.first(middle), end = crossings.first(middle + 1); i < end; i++) {
             if (joins(q, cell, spanCount + i, middle) && joins(spanCount + i, middle, target, to)) {
                 return true;

@@ -41,6 +41,7 @@ public final class Region implements StepRelation {
     private final BitSet special;
     private final Neighbours neighbours;
     private final int[] offsets;
+    private volatile TargetLists lists;
 
     Region(Actor actor, Spans spans, Standing standing, Crossings crossings, Clearance clearance) {
         this.actor = actor;
@@ -57,8 +58,8 @@ public final class Region implements StepRelation {
         Moves steps = new Moves(spans, abilities, joints);
         steps.compute();
         this.moves = steps.moves();
-        this.neighbours = new Neighbours(actor, spans, crossings, abilities, joints);
-        this.special = steps.elsewhere();
+        this.neighbours = new Neighbours(actor, spans, crossings, abilities, joints, steps);
+        this.special = (BitSet) steps.elsewhere().clone();
         neighbours.markNear(special);
     }
 
@@ -150,7 +151,8 @@ public final class Region implements StepRelation {
     }
 
     /**
-     * Finds all legal neighbours, ascending by direction, then id.
+     * Finds all legal neighbours, ascending by direction, then id. Those that no mask gives are found for the
+     * whole region when the first of them is asked for.
      *
      * @param targets receives the neighbours; at least {@link #MAX_NEIGHBOURS} long
      * @param directions receives the direction of each; as long
@@ -159,7 +161,8 @@ public final class Region implements StepRelation {
     @Override
     public int neighbours(int q, int[] targets, int[] directions) {
         if (!plain(q)) {
-            return neighbours.of(q, cell(q), targets, directions);
+            TargetLists known = lists;
+            return (known == null ? lists() : known).of(q, targets, directions);
         }
         int count = 0;
         int mask = moves(q);
@@ -170,6 +173,13 @@ public final class Region implements StepRelation {
             }
         }
         return count;
+    }
+
+    private synchronized TargetLists lists() {
+        if (lists == null) {
+            lists = new TargetLists(special, spanCount, crossings, neighbours, cells);
+        }
+        return lists;
     }
 
     /**

@@ -180,14 +180,22 @@ final class Solids {
      * @return whether there are any
      */
     boolean vaultable(double floor, Actor.Vault vault, Window window, byte[] mask) {
+        List<Integer> low = new ArrayList<>();
+        for (int n = 0; n < boxes.length; n++) {
+            Obstacle obstacle = scene.obstacles().get(n);
+            if (boxes[n].meets(window) && stands(obstacle, floor) && inRange(obstacle.top(), floor, vault)) {
+                low.add(n);
+            }
+        }
+        boolean flat = scene.ditches().isEmpty();
         List<Integer> above = new ArrayList<>();
         List<Integer> inTheWay = new ArrayList<>();
         for (int n = 0; n < boxes.length; n++) {
             Obstacle obstacle = scene.obstacles().get(n);
-            if (!boxes[n].meets(window)) {
+            if (!boxes[n].meets(window) || flat && !meetsAny(n, low)) {
                 continue;
             }
-            if (RegionBuilder.blocks(obstacle, floor, actor.stepHeight(), actor.bodyHeight())) {
+            if (stands(obstacle, floor)) {
                 inTheWay.add(n);
             } else if (obstacle.offset() >= floor + actor.bodyHeight() - Column.SAME
                     && obstacle.offset() < floor + vault.maxHeight() + vault.bodyHeight()
@@ -219,6 +227,20 @@ final class Solids {
             any |= mask[i];
         }
         return any != 0;
+    }
+
+    private boolean stands(Obstacle obstacle, double floor) {
+        return RegionBuilder.blocks(obstacle, floor, actor.stepHeight(), actor.bodyHeight());
+    }
+
+    /** Tells whether an obstacle's box meets that of any of some others, or it is one of them. */
+    private boolean meetsAny(int obstacle, List<Integer> others) {
+        for (int other : others) {
+            if (boxes[obstacle].meets(boxes[other])) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** Marks where ground, or the world's edge, stands in the way. */
