@@ -2,6 +2,7 @@ package troupe.unified;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.EnumSet;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -32,13 +33,19 @@ import troupe.unified.search.JourneyWorkspace;
  * Finds out why there is no way, in words that a person can act on: how far the start reaches, and which
  * single change would open a way: an ability more, or an obstacle or ditch less. Each change is tried by a
  * search of its own, in a fixed order, at most {@value #MOST_OBSTACLES} obstacles and ditches: those that
- * stand both at what the start reaches and at what the goal reaches come first. Used by one thread at a
+ * stand both at what the start reaches and at what the goal reaches come first, and among those what can be
+ * moved, then the smallest. Used by one thread at a
  * time; a call of {@link #step} costs a region and a search.
  */
 final class Separation {
     static final int MOST_OBSTACLES = 24;
     private static final long MOST_EXPANSIONS = 500_000;
     private static final int MOST_NAMED = 3;
+
+    /** What can be moved comes before what cannot, a small thing before a large one. */
+    private static final Comparator<Element> SMALLEST_CHANGE = Comparator.<Element>comparingInt(
+                    e -> e instanceof Obstacle o && o.movable() ? 0 : 1)
+            .thenComparingDouble(e -> Math.abs(outline(e).signedArea()));
 
     private final Scene scene;
     private final Journey journey;
@@ -117,13 +124,15 @@ final class Separation {
                 one.add(element);
             }
         }
+        both.sort(SMALLEST_CHANGE);
+        one.sort(SMALLEST_CHANGE);
         both.addAll(one);
         return both.subList(0, Math.min(MOST_OBSTACLES, both.size()));
     }
 
     /** Tells whether an element limits a set: a reached place is hardly farther from it than the body is wide. */
     private boolean touches(Element element, Reach reach) {
-        Polygon outline = element instanceof Obstacle o ? o.outline() : ((Ditch) element).outline();
+        Polygon outline = outline(element);
         double margin = actor.walk().radius() + 2 * region.frame().cell();
         GridFrame frame = region.frame();
         int lastCol = Math.min(frame.cols() - 1, frame.colAt(outline.bounds().maxX() + margin));
@@ -140,6 +149,10 @@ final class Separation {
             }
         }
         return false;
+    }
+
+    private static Polygon outline(Element element) {
+        return element instanceof Obstacle o ? o.outline() : ((Ditch) element).outline();
     }
 
     private boolean limits(Element element, double floor) {

@@ -5,11 +5,13 @@ import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import troupe.geometry.Polygon;
+import troupe.geometry.Pose;
 import troupe.run.Engine;
 import troupe.run.EngineContract;
 import troupe.run.Report;
@@ -23,6 +25,7 @@ import troupe.scene.Ordering;
 import troupe.scene.Place;
 import troupe.scene.Preferences;
 import troupe.scene.Scene;
+import troupe.scene.SceneXml;
 import troupe.scene.World;
 import troupe.search.Outcome;
 
@@ -238,5 +241,18 @@ class JourneyEngineTest implements EngineContract {
     void refusesAJourneyOfNobody() {
         Scene scene = scene(Actor.standard("bob"), RIGHT);
         assertThrows(IllegalArgumentException.class, () -> JourneyEngine.of(scene, RIGHT));
+    }
+
+    @Test
+    void namesTheCrateInTheDoorwayBeforeTheWallsAroundIt() throws Exception {
+        Scene courtyard = SceneXml.read(Path.of("scenes/unified/courtyard.xml")).scene();
+        Obstacle crate = courtyard.obstacle("crate").orElseThrow();
+        Pose inTheDoorway = new Pose(8.1, 7.6, 0);
+        Scene shut = courtyard.with(crate.withOutline(crate.outline().at(inTheDoorway)));
+        Run run = JourneyEngine.of(shut, (Journey) shut.task("to-the-fountain").orElseThrow())
+                .finish();
+        assertInstanceOf(Outcome.Infeasible.class, run.outcome());
+        List<?> blockedBy = (List<?>) run.report().values().get("blocked_by");
+        assertEquals("crate", blockedBy.get(0), blockedBy.toString());
     }
 }
