@@ -1,7 +1,6 @@
 package troupe.cli;
 
 import java.io.InputStream;
-import java.io.OutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
@@ -34,12 +33,6 @@ record Terminal(
                 System.console() != null,
                 Path.of(""),
                 interrupted);
-    }
-
-    /** Returns this terminal with its results sent to another stream. */
-    Terminal withOut(OutputStream other) {
-        return new Terminal(
-                in, new PrintStream(other, true, StandardCharsets.UTF_8), err, interactive, folder, interrupted);
     }
 
     /** Says one line to the person. */

@@ -115,6 +115,21 @@ public record Actor(
     }
 
     /**
+     * Returns this actor without the abilities that preferences switch off.
+     *
+     * @throws IllegalArgumentException if they switch off walking
+     */
+    public Actor under(Preferences preferences) {
+        Set<Ability> off = EnumSet.noneOf(Ability.class);
+        for (Ability ability : Ability.values()) {
+            if (!preferences.allows(ability)) {
+                off.add(ability);
+            }
+        }
+        return without(off);
+    }
+
+    /**
      * Returns this actor without the given abilities.
      *
      * @throws IllegalArgumentException if walking is among them

@@ -10,6 +10,9 @@ final class ActorRules {
     /** The longest stride or vault in cells. */
     private static final double MOST_CELLS = 1_000;
 
+    /** The lowest speed in m/s; a slower way through a small room would take more frames than a run can hold. */
+    private static final double SLOWEST = 0.01;
+
     private ActorRules() {}
 
     static void crossings(Scene scene, Findings findings) {
@@ -37,8 +40,9 @@ final class ActorRules {
             }
             for (Ability ability : form.abilities()) {
                 for (String name : ActorForm.names(ability)) {
-                    findings.number(
-                            actor.id(), ability.key() + "." + name, form.number(ability, name), 0, mayBeZero(name));
+                    double least = name.equals("speed") ? SLOWEST : 0;
+                    boolean orEqual = least > 0 || mayBeZero(name);
+                    findings.number(actor.id(), ability.key() + "." + name, form.number(ability, name), least, orEqual);
                 }
             }
         }

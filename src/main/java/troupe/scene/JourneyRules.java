@@ -1,6 +1,7 @@
 package troupe.scene;
 
 import java.util.List;
+import java.util.Locale;
 import troupe.scene.SceneChecks.Findings;
 
 /** Checks journeys against the rest of the scene. */
@@ -31,6 +32,24 @@ final class JourneyRules {
             }
             if (!journey.preferences().allows(Ability.WALK)) {
                 findings.error(journey.id(), "walking is switched off", "give walk a factor; every actor walks");
+            }
+        }
+    }
+
+    static void costs(Scene scene, Findings findings) {
+        for (Journey journey : journeys(scene)) {
+            double spread = scene.actor(journey.actor())
+                    .map(a -> journey.preferences().spread(a, scene.world().cell()))
+                    .orElse(1.0);
+            if (spread > Preferences.WIDEST) {
+                findings.error(
+                        journey.id(),
+                        "the dearest step of '" + journey.actor() + "' costs "
+                                + String.format(Locale.ROOT, "%.3g", spread) + " times the cheapest",
+                        String.format(
+                                Locale.ROOT,
+                                "bring its energies and preferences within a factor of %.0e, or switch an ability off",
+                                Preferences.WIDEST));
             }
         }
     }

@@ -10,6 +10,9 @@ public final class Preferences {
     /** The factor of an ability that is not to be used. */
     public static final double OFF = Double.POSITIVE_INFINITY;
 
+    /** The largest {@link #spread} with which costs can be added up exactly. */
+    public static final double WIDEST = 1e12;
+
     /** Every factor 1. */
     public static final Preferences NEUTRAL = new Preferences(ones());
 
@@ -33,6 +36,31 @@ public final class Preferences {
     /** Tells whether the ability may be used. */
     public boolean allows(Ability ability) {
         return of(ability) != OFF;
+    }
+
+    /**
+     * Returns how many times the dearest step of an actor costs the cheapest straight one, over cells of
+     * {@code cell} metres: a diagonal step and a take-off of the dearest ability that these preferences
+     * allow; at least 1, NaN if a number of the actor is. Moving obstacles is no step.
+     */
+    public double spread(Actor actor, double cell) {
+        double[] steps = {Double.POSITIVE_INFINITY, 0};
+        widen(steps, Ability.WALK, actor.walk().energy(), 0, cell);
+        actor.sidestep().ifPresent(a -> widen(steps, Ability.SIDESTEP, a.energy(), 0, cell));
+        actor.stride().ifPresent(a -> widen(steps, Ability.STRIDE, a.energy(), a.takeOff(), cell));
+        actor.vault().ifPresent(a -> widen(steps, Ability.VAULT, a.energy(), a.takeOff(), cell));
+        double cheapest = steps[0] == Double.POSITIVE_INFINITY ? cell : steps[0];
+        return Math.max(1, steps[1] / cheapest);
+    }
+
+    private void widen(double[] steps, Ability ability, double energy, double takeOff, double cell) {
+        if (allows(ability)) {
+            double straight = energy * of(ability) * cell;
+            if (straight != 0) {
+                steps[0] = Math.min(steps[0], straight);
+            }
+            steps[1] = Math.max(steps[1], straight * Math.sqrt(2) + takeOff * of(ability));
+        }
     }
 
     /**

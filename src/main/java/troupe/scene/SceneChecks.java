@@ -28,7 +28,9 @@ public final class SceneChecks {
             JourneyRules::actors,
             JourneyRules::places,
             JourneyRules::budgets,
-            ShapeRules::overlaps);
+            JourneyRules::costs,
+            ShapeRules::overlaps,
+            ShapeRules::carrying);
 
     private SceneChecks() {}
 

@@ -23,11 +23,19 @@ final class ShapeRules {
     private ShapeRules() {}
 
     static void outlines(Scene scene, Findings findings) {
-        scene.obstacles().forEach(o -> outline(scene.world(), o.id(), o.outline(), findings));
-        scene.ditches().forEach(d -> outline(scene.world(), d.id(), d.outline(), findings));
+        SelfIntersection.Work work = new SelfIntersection.Work(MAX_EDGE_PAIRS);
+        scene.obstacles().forEach(o -> outline(scene.world(), o.id(), o.outline(), work, findings));
+        scene.ditches().forEach(d -> outline(scene.world(), d.id(), d.outline(), work, findings));
+        if (work.isSpent()) {
+            findings.warning(
+                    "",
+                    "not every outline was checked for meeting itself",
+                    "give the outlines fewer corners, or shorter edges");
+        }
     }
 
-    private static void outline(World world, String id, Polygon outline, Findings findings) {
+    private static void outline(
+            World world, String id, Polygon outline, SelfIntersection.Work work, Findings findings) {
         if (!isPlaced(outline)) {
             String most = Numbers.text(SceneChecks.LARGEST);
             findings.error(
@@ -38,7 +46,7 @@ final class ShapeRules {
             findings.error(id, "the polygon has " + outline.size() + " corners", "give it at least 3");
             return;
         }
-        SelfIntersection.find(outline)
+        SelfIntersection.find(outline, work)
                 .ifPresent(edges -> findings.error(
                         id,
                         edges.first() == edges.second()
@@ -110,6 +118,42 @@ final class ShapeRules {
             }
             open.add(next);
         }
+    }
+
+    /**
+     * Warns of movable obstacles on which another rests; a carrier is named once, and the work is bounded
+     * as that of {@link #overlaps}.
+     */
+    static void carrying(Scene scene, Findings findings) {
+        List<Obstacle> sound = new ArrayList<>(scene.obstacles());
+        sound.removeIf(o -> !isPlaced(o.outline()) || o.outline().size() < 3);
+        long work = 0;
+        for (Obstacle carrier : sound) {
+            for (Obstacle load : sound) {
+                if (!rests(load, carrier)) {
+                    continue;
+                }
+                work += (long) carrier.outline().size() * load.outline().size();
+                if (work > MAX_EDGE_PAIRS) {
+                    return;
+                }
+                if (Overlap.of(carrier.outline(), load.outline())) {
+                    findings.warning(
+                            carrier.id(),
+                            "it carries '" + load.id() + "' and counts as not movable while it does",
+                            "take the load off, or leave it if that is meant");
+                    break;
+                }
+            }
+        }
+    }
+
+    /** Tells whether a load may rest on a movable carrier, as far as heights and boxes tell. */
+    private static boolean rests(Obstacle load, Obstacle carrier) {
+        return carrier.movable()
+                && load != carrier
+                && Math.abs(load.offset() - carrier.top()) <= TOUCH
+                && overlapDeeply(load.outline().bounds(), carrier.outline().bounds());
     }
 
     private static boolean boxesShareSpace(Obstacle a, Obstacle b) {

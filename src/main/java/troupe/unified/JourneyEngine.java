@@ -3,9 +3,6 @@ package troupe.unified;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
-import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import troupe.grid.field.Nf2;
 import troupe.grid.layer.Layers;
 import troupe.grid.region.Region;
@@ -16,7 +13,6 @@ import troupe.run.Frames;
 import troupe.run.GridOverlays;
 import troupe.run.Overlay;
 import troupe.run.Run;
-import troupe.scene.Ability;
 import troupe.scene.Actor;
 import troupe.scene.Journey;
 import troupe.scene.Ordering;
@@ -77,10 +73,7 @@ public final class JourneyEngine implements Engine {
         Actor whole = scene.actor(journey.actor())
                 .orElseThrow(() -> new IllegalArgumentException("journey '" + journey.id() + "' is of the actor '"
                         + journey.actor() + "'; needs the id of an actor of the scene"));
-        Set<Ability> off = Stream.of(Ability.values())
-                .filter(a -> !journey.preferences().allows(a))
-                .collect(Collectors.toSet());
-        return new JourneyEngine(scene, journey, whole.without(off));
+        return new JourneyEngine(scene, journey, whole.under(journey.preferences()));
     }
 
     @Override

@@ -3,10 +3,8 @@ package troupe.work;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
@@ -23,7 +21,6 @@ import troupe.run.GridOverlays;
 import troupe.run.Overlay;
 import troupe.run.Report;
 import troupe.run.Run;
-import troupe.scene.Ability;
 import troupe.scene.Actor;
 import troupe.scene.Journey;
 import troupe.scene.Scene;
@@ -98,13 +95,7 @@ public final class Fields {
         Actor actor = scene.actor(journey.actor())
                 .orElseThrow(() -> new IllegalArgumentException(
                         "journey '" + journey.id() + "' names the unknown actor '" + journey.actor() + "'"));
-        Set<Ability> off = EnumSet.noneOf(Ability.class);
-        for (Ability ability : Ability.values()) {
-            if (!journey.preferences().allows(ability)) {
-                off.add(ability);
-            }
-        }
-        return actor.without(off);
+        return actor.under(journey.preferences());
     }
 
     private <T> T timed(String name, Supplier<T> work) {

@@ -110,6 +110,8 @@ class SceneChecksTest {
                 "<actor id=\"a\"><walk/><sidestep radius=\"0.3\"/></actor>",
                 "<actor id=\"a\" bodyHeight=\"0.4\"><walk/></actor>",
                 "<actor id=\"a\"><walk speed=\"0\"/></actor>",
+                "<actor id=\"a\"><walk speed=\"0.0099\"/></actor>",
+                "<actor id=\"a\"><walk/><vault speed=\"0.001\"/></actor>",
                 "<actor id=\"a\"><walk/><vault minHeight=\"0.2\"/></actor>",
                 "<actor id=\"a\"><walk/><vault minHeight=\"1.2\"/></actor>",
                 "<actor id=\"a\"><walk/><stride gait=\"800\"/></actor>",
@@ -170,5 +172,48 @@ class SceneChecksTest {
         Obstacle red = new Obstacle("o", "", troupe.geometry.Polygon.rectangle(1, 1, 2, 2), 0, 1, false, 20, "red");
         Scene coloured = new Scene("", World.of(4, 3), List.of(red), List.of(), List.of(), List.of());
         assertTrue(SceneChecks.check(coloured).get(0).message().contains("'red'"));
+    }
+
+    @Test
+    void namesCostsThatLieTooFarApart() throws Exception {
+        String journey = "<journey id=\"j\" actor=\"a\" start=\"1,1\" goal=\"2,2\">";
+        String vaulter = "<actor id=\"a\"><walk energy=\"1e-7\"/><vault energy=\"1e6\"/></actor>";
+        finds(Severity.ERROR, "times the cheapest", vaulter + journey + "</journey>");
+        assertEquals(List.of(), problems(vaulter + journey + "<prefer vault=\"off\"/></journey>"));
+        finds(
+                Severity.ERROR,
+                "times the cheapest",
+                "<actor id=\"a\"><walk/><vault/></actor>" + journey + "<prefer vault=\"1e15\"/></journey>");
+    }
+
+    @Test
+    void warnsOfMovableObstaclesThatCarrySomething() throws Exception {
+        String crate = "<obstacle id=\"crate\" height=\"1\" movable=\"true\" points=\"1,1 3,1 3,3 1,3\"/>";
+        String on = "\" height=\"0.1\" points=\"2,2 2.5,2 2.5,2.5 2,2.5\"/>";
+        finds(Severity.WARNING, "carries 'book'", crate + "<obstacle id=\"book\" offset=\"1" + on);
+        assertEquals(List.of(), problems(crate + "<obstacle id=\"lamp\" offset=\"1.2" + on));
+        assertEquals(
+                List.of(),
+                problems(crate + "<obstacle id=\"beside\" offset=\"1\" height=\"1\" points=\"3,1 4,1 4,2 3,2\"/>"));
+        assertEquals(List.of(), problems(crate.replace("true", "false") + "<obstacle id=\"book\" offset=\"1" + on));
+    }
+
+    @Test
+    void boundsTheWorkOfAllOutlinesTogether() throws Exception {
+        StringBuilder scene = new StringBuilder();
+        for (int i = 0; i < 20; i++) {
+            scene.append("<obstacle id=\"o")
+                    .append(i)
+                    .append("\" height=\"0.01\" offset=\"")
+                    .append(i);
+            scene.append("\" points=\"");
+            for (int k = 0; k < 2_000; k++) {
+                scene.append(1 + k * 0.001 + k % 2 * 4).append(k % 2 == 0 ? ",0.5 " : ",7.5 ");
+            }
+            scene.append("9.5,7.5 9.5,0.2 1,0.2\"/>");
+        }
+        List<Problem> found = problems(scene.toString());
+        assertEquals(1, found.size(), found::toString);
+        assertTrue(found.get(0).message().contains("not every outline was checked"), found::toString);
     }
 }

@@ -67,7 +67,7 @@ public final class JourneyCosts {
         actor.stride().ifPresent(a -> limits[Kind.GAP] = a.maxGap() + SLACK);
         actor.vault().ifPresent(a -> limits[Kind.JUMPABLE] = a.maxJump() + SLACK);
         double cheapest = cheapestPositive();
-        unitBits = unitBits(cheapest);
+        unitBits = unitBits(preferences.spread(actor, cell));
         unitsPerJoule = Math.scalb(1.0, unitBits) / (cheapest * cell);
         fillTables();
         long straight = BLOCKED;
@@ -103,15 +103,8 @@ public final class JourneyCosts {
     }
 
     /** Chooses the unit so that 2^24 of the dearest steps can be added up, as far as that is possible. */
-    private int unitBits(double cheapest) {
-        double dearest = 0;
-        for (Ability ability : Ability.values()) {
-            if (has(ability)) {
-                dearest = Math.max(dearest, price(ability) * cell * ROOT + takeOffCost(ability));
-            }
-        }
-        double ratio = Math.max(1, dearest / (cheapest * cell));
-        if (!(ratio <= 1e12)) {
+    private static int unitBits(double ratio) {
+        if (!(ratio <= Preferences.WIDEST)) {
             throw new IllegalArgumentException("the dearest step costs " + ratio
                     + " times the cheapest; preferences and energies may differ by a factor of 1e12");
         }
