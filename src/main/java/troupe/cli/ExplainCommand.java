@@ -36,8 +36,9 @@ final class ExplainCommand implements Command {
     @Override
     public List<String> notes() {
         return List.of(
-                "Plans again without each ability that the plan uses, and finds the preferences at which the",
-                "plan becomes another one, up to 1000 times those of the task. Exit code 1: there is no plan.");
+                "Plans again without each ability that the plan uses and, for ordering=optimal, finds the preferences",
+                "at which the plan becomes another one, up to 1000 times those of the task. Exit code 1: there is",
+                "no plan.");
     }
 
     @Override
