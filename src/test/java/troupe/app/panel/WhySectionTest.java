@@ -75,7 +75,8 @@ class WhySectionTest {
 
     @Test
     void saysWhatWouldChangeThePlanUntilItHasChanged() throws SceneException, IOException {
-        Scene scene = SceneXml.read(Path.of("scenes", "unified", "courtyard.xml")).scene();
+        Scene scene =
+                SceneXml.read(Path.of("scenes", "unified", "courtyard.xml")).scene();
         Look look = new Look(Theme.LIGHT, new Texts(Locale.ENGLISH));
         try (Session session = OnEventThread.get(() -> new Session(
                 new SceneDocument(scene, Optional.empty()), STEPS, Studios.NO_FILES, EventQueue::invokeLater))) {
@@ -84,9 +85,8 @@ class WhySectionTest {
                 session.planNow();
                 return made;
             });
-            Await.until(
-                    "the flip is told",
-                    () -> note(section).equals("If vaulting cost 4.1 times as much, Ann would walk round."));
+            Await.until("the flip is told", () -> note(section)
+                    .equals("If vaulting cost 4.1 times as much, Ann would walk round."));
             assertEquals(true, OnEventThread.get(() -> table(section)).contains("Without vaulting"));
             Journey journey = (Journey) scene.task("to-the-fountain").orElseThrow();
             Scene dear = scene.with(journey.preferring(journey.preferences().with(Ability.VAULT, 4.2)));
