@@ -209,11 +209,15 @@ public final class JourneyEngine implements Engine {
             report.found(path);
         }
         if (separation != null) {
-            report.separated(separation.reachedArea(), separation.blockedBy(), separation.wouldHelp());
+            report.separated(
+                    separation.reachedArea(),
+                    separation.blockedBy(),
+                    separation.blockedTogether(),
+                    separation.wouldHelp());
         } else if (outcome instanceof Outcome.Infeasible) {
             List<String> ids = new ArrayList<>(start.blockedBy());
             ids.addAll(goal.blockedBy());
-            report.separated(0, ids.stream().distinct().toList(), List.of());
+            report.separated(0, ids.stream().distinct().toList(), List.of(), List.of());
         }
         return new Run(scene, journey.id(), outcome, report.build(), frames, motion.legs(), List.of());
     }

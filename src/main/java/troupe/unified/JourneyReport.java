@@ -23,6 +23,7 @@ final class JourneyReport {
     private boolean solved;
     private double reachedArea;
     private List<String> blockedBy = List.of();
+    private List<String> blockedTogether = List.of();
     private List<String> wouldHelp = List.of();
 
     JourneyReport(StageTimes times, Frames frames, List<Run.Leg> legs) {
@@ -48,9 +49,10 @@ final class JourneyReport {
     }
 
     /** Puts down what keeps start and goal apart. */
-    void separated(double squareMetres, List<String> blockers, List<String> helpful) {
+    void separated(double squareMetres, List<String> blockers, List<String> together, List<String> helpful) {
         reachedArea = squareMetres;
         blockedBy = blockers;
+        blockedTogether = together;
         wouldHelp = helpful;
     }
 
@@ -72,7 +74,10 @@ final class JourneyReport {
                 .put("frames", frames.count())
                 .put("duration", frames.duration());
         if (!solved) {
-            report.put("reached_area", reachedArea).put("blocked_by", blockedBy).put("would_help", wouldHelp);
+            report.put("reached_area", reachedArea)
+                    .put("blocked_by", blockedBy)
+                    .put("blocked_together", blockedTogether)
+                    .put("would_help", wouldHelp);
         }
         return report.build();
     }

@@ -34,7 +34,8 @@ import troupe.unified.search.JourneyWorkspace;
  * single change would open a way: an ability more, or an obstacle or ditch less. Each change is tried by a
  * search of its own, in a fixed order, at most {@value #MOST_OBSTACLES} obstacles and ditches: those that
  * stand both at what the start reaches and at what the goal reaches come first, and among those what can be
- * moved, then the smallest. Used by one thread at a
+ * moved, then the smallest. Where no movable obstacle alone bars the way, those that bar it together are looked
+ * for, if there are at most as many of them. Used by one thread at a
  * time; a call of {@link #step} costs a region and a search.
  */
 final class Separation {
@@ -54,6 +55,7 @@ final class Separation {
     private final double reachedArea;
     private final ArrayDeque<Trial> trials = new ArrayDeque<>();
     private final List<Element> blockers = new ArrayList<>();
+    private final List<Obstacle> joint = new ArrayList<>();
     private final Set<Ability> helpful = EnumSet.noneOf(Ability.class);
     private boolean together;
     private boolean onlyPublished;
@@ -68,6 +70,10 @@ final class Separation {
     private record WithAll() implements Trial {}
 
     private record Without(Element element) implements Trial {}
+
+    private record WithoutMovables() implements Trial {}
+
+    private record PutBack(Obstacle movable) implements Trial {}
 
     /**
      * Prepares the trials.
@@ -88,6 +94,9 @@ final class Separation {
         }
         missing().forEach(a -> trials.add(new With(a)));
         between(fromStart, Reach.from(region, goal)).forEach(e -> trials.add(new Without(e)));
+        if (movables().size() > 1 && movables().size() <= MOST_OBSTACLES) {
+            trials.add(new WithoutMovables());
+        }
         if (missing().size() > 1) {
             trials.add(new WithAll());
         }
@@ -98,6 +107,10 @@ final class Separation {
         return List.of(Ability.SIDESTEP, Ability.STRIDE, Ability.VAULT).stream()
                 .filter(a -> !actor.abilities().contains(a))
                 .toList();
+    }
+
+    private List<Obstacle> movables() {
+        return scene.obstacles().stream().filter(Obstacle::movable).toList();
     }
 
     private double area(Reach reach) {
@@ -180,21 +193,41 @@ final class Separation {
                 helpful.add(with.ability());
             }
         } else if (trial instanceof Without without) {
-            if (blockers.size() < MOST_NAMED && leads(less(without.element()), actor)) {
+            if (blockers.size() < MOST_NAMED && leads(less(List.of(without.element())), actor)) {
                 blockers.add(without.element());
             }
-        } else if (helpful.isEmpty() && blockers.isEmpty() && leads(scene, equipped(missing()))) {
+        } else if (trial instanceof WithoutMovables) {
+            takeMovables();
+        } else if (trial instanceof PutBack back) {
+            List<Obstacle> others =
+                    joint.stream().filter(m -> m != back.movable()).toList();
+            if (leads(less(others), actor)) {
+                joint.remove(back.movable());
+            }
+        } else if (helpful.isEmpty() && blockers.isEmpty() && joint.isEmpty() && leads(scene, equipped(missing()))) {
             helpful.addAll(missing());
             together = true;
         }
     }
 
-    private Scene less(Element element) {
+    /** Takes all movable obstacles out if none alone was found to bar the way; each is then tried to be put back. */
+    private void takeMovables() {
+        boolean oneAlone = blockers.stream().anyMatch(e -> e instanceof Obstacle o && o.movable());
+        if (oneAlone || !leads(less(movables()), actor)) {
+            return;
+        }
+        joint.addAll(movables());
+        for (int i = joint.size() - 1; i >= 0; i--) {
+            trials.addFirst(new PutBack(joint.get(i)));
+        }
+    }
+
+    private Scene less(List<? extends Element> taken) {
         return new Scene(
                 scene.title(),
                 scene.world(),
-                scene.obstacles().stream().filter(o -> o != element).toList(),
-                scene.ditches().stream().filter(d -> d != element).toList(),
+                scene.obstacles().stream().filter(o -> !taken.contains(o)).toList(),
+                scene.ditches().stream().filter(d -> !taken.contains(d)).toList(),
                 scene.actors(),
                 scene.tasks());
     }
@@ -254,6 +287,11 @@ final class Separation {
         return blockers.stream().map(Element::id).toList();
     }
 
+    /** Returns the ids of movable obstacles that bar the way together: without all of them there is a way. */
+    List<String> blockedTogether() {
+        return joint.stream().map(Obstacle::id).toList();
+    }
+
     /** Returns the keys of the abilities that would open a way. */
     List<String> wouldHelp() {
         return helpful.stream().map(Ability::key).toList();
@@ -265,6 +303,10 @@ final class Separation {
             return "no path in the published order, which marks places visited too early; ordering=optimal finds one";
         }
         Set<String> changes = new LinkedHashSet<>();
+        if (!joint.isEmpty()) {
+            changes.add(
+                    "without " + joint.stream().map(e -> "'" + e.name() + "'").collect(Collectors.joining(" and ")));
+        }
         if (!blockers.isEmpty()) {
             changes.add("without "
                     + blockers.stream().map(e -> "'" + e.name() + "'").collect(Collectors.joining(" or ")));

@@ -182,11 +182,27 @@ class JourneyEngineTest implements EngineContract {
         Outcome.Infeasible outcome = assertInstanceOf(Outcome.Infeasible.class, run.outcome());
         assertTrue(outcome.reason().contains("'Inner wall'"), outcome.reason());
         assertEquals(List.of("wall"), run.report().values().get("blocked_by"));
+        assertEquals(List.of(), run.report().values().get("blocked_together"));
         assertEquals(List.of(), run.report().values().get("would_help"));
         double area = (double) run.report().values().get("reached_area");
         assertTrue(area > 38 && area < 50, "left of the wall: " + area);
         assertEquals(0, run.frames().count());
         assertEquals(false, run.report().values().get("solved"));
+    }
+
+    @Test
+    void saysWhichMovablesBarTheWayTogether() {
+        Run run = plan(
+                new Obstacle("north", "", Polygon.rectangle(4, 5.5, 7, 10), 0, 3, false, 20, ""),
+                new Obstacle("south", "", Polygon.rectangle(4, 0, 7, 4.5), 0, 3, false, 20, ""),
+                new Obstacle("aside", "", Polygon.rectangle(1, 1, 2, 2), 0, 2, true, 20, ""),
+                new Obstacle("first", "", Polygon.rectangle(4.5, 4.6, 5.2, 5.4), 0, 2, true, 20, ""),
+                new Obstacle("second", "", Polygon.rectangle(6, 4.6, 6.7, 5.4), 0, 2, true, 20, ""));
+        assertEquals(List.of("first", "second"), run.report().values().get("blocked_together"));
+        assertEquals(List.of("north", "south"), run.report().values().get("blocked_by"));
+        String reason =
+                assertInstanceOf(Outcome.Infeasible.class, run.outcome()).reason();
+        assertTrue(reason.contains("without 'first' and 'second', or without 'north' or 'south'"), reason);
     }
 
     @Test

@@ -47,12 +47,12 @@ class NamosimRunsTest {
 
     @ParameterizedTest
     @CsvSource({
-        "obstacle_on_goal, movable_box",
-        "teleop, movable_box",
-        "1_robot_2_obstacles, ''",
-        "overlapping_movables, ''"
+        "obstacle_on_goal, movable_box, ''",
+        "teleop, movable_box, ''",
+        "1_robot_2_obstacles, '', box_1 box_2",
+        "overlapping_movables, '', movable_box movable_box-3"
     })
-    void findsNoWayWhereOneMustMoveAndMayNot(String name, String blocker) throws Exception {
+    void findsNoWayWhereOneMustMoveAndMayNot(String name, String blocker, String together) throws Exception {
         Scene drawn = Formats.importer("namosim").read(SharedData.require("namo/" + name + ".svg"));
         Scene scene = Settings.apply(drawn, "goal_0", "preference.move", "off");
         Map<String, Object> report = planned(scene, "goal_0");
@@ -60,6 +60,11 @@ class NamosimRunsTest {
         if (!blocker.isEmpty()) {
             assertTrue(((List<?>) report.get("blocked_by")).contains(blocker), name + " " + report);
         }
+        String joint = String.join(
+                " ",
+                ((List<?>) report.get("blocked_together"))
+                        .stream().map(String.class::cast).toList());
+        assertEquals(together, joint, name);
         Scene walls = new Scene(
                 scene.title(),
                 scene.world(),
