@@ -44,7 +44,7 @@ final class CrossingFinder {
         this.actor = actor;
         this.spans = spans;
         this.columns = columns;
-        this.solids = new Solids(scene, actor, columns, standing.rims(), spans.frame());
+        this.solids = new Solids(scene, actor, columns, standing, spans.frame());
         this.kinds = standing.kinds();
         this.abilities = standing.abilities();
         this.frame = spans.frame();

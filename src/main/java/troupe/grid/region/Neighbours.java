@@ -80,14 +80,14 @@ final class Neighbours {
                 }
             } else {
                 for (int target = to; target < spanCount; target += frame.size()) {
-                    if (abilities[target] != 0 && legal(q, cell, d, target)) {
+                    if (abilities[target] != 0 && legal(q, cell, d, target, targets, directions, count)) {
                         targets[count] = target;
                         directions[count++] = d;
                     }
                 }
             }
             for (int i = crossings.first(to), end = crossings.first(to + 1); i < end; i++) {
-                if (legal(q, cell, d, spanCount + i)) {
+                if (legal(q, cell, d, spanCount + i, targets, directions, count)) {
                     targets[count] = spanCount + i;
                     directions[count++] = d;
                 }
@@ -96,35 +96,20 @@ final class Neighbours {
         return count;
     }
 
-    /** Tells whether the step to a target of which one end is a crossing is legal. */
-    private boolean legal(int q, int cell, int d, int target) {
+    /** Tells whether the step to a target of which one end is a crossing is legal; straight ones come first. */
+    private boolean legal(int q, int cell, int d, int target, int[] targets, int[] directions, int count) {
         if (!joins(q, cell, target, cell + offsets[d])) {
             return false;
         }
         return d < 4
-                || bridged(q, cell, cell + offsets[d - 4], target, cell + offsets[d])
-                        && bridged(q, cell, cell + offsets[d - 3 & 3], target, cell + offsets[d]);
+                || bridged(cell, d - 4, target, cell + offsets[d], targets, directions, count)
+                        && bridged(cell, d - 3 & 3, target, cell + offsets[d], targets, directions, count);
     }
 
-    /** Tells whether something over {@code middle} is joined to both ends; looks first for the likelier. */
-    private boolean bridged(int q, int cell, int middle, int target, int to) {
-        return q >= spanCount && target >= spanCount
-                ? byCrossing(q, cell, middle, target, to) || bySpan(q, cell, middle, target, to)
-                : bySpan(q, cell, middle, target, to) || byCrossing(q, cell, middle, target, to);
-    }
-
-    private boolean bySpan(int q, int cell, int middle, int target, int to) {
-        for (int s = middle; s < spanCount; s += frame.size()) {
-            if (abilities[s] != 0 && joins(q, cell, s, middle) && joins(s, middle, target, to)) {
-                return true;
-            }
-        }
-        return false;
-    }
-
-    private boolean byCrossing(int q, int cell, int middle, int target, int to) {
-        for (int i = crossings.first(middle), end = crossings.first(middle + 1); i < end; i++) {
-            if (joins(q, cell, spanCount + i, middle) && joins(spanCount + i, middle, target, to)) {
+    /** Tells whether something found in a straight direction is joined to the target, too. */
+    private boolean bridged(int cell, int straight, int target, int to, int[] targets, int[] directions, int count) {
+        for (int k = 0; k < count && directions[k] < 4; k++) {
+            if (directions[k] == straight && joins(targets[k], cell + offsets[straight], target, to)) {
                 return true;
             }
         }

@@ -24,22 +24,19 @@ final class Pruning {
 
     private final int cols;
     private final int rows;
+    private final int words;
     private final byte[] state;
-    private final Straight.Cells candidate;
-    private final Straight.Cells keep;
     private int left;
     private int[] sums = {};
-    private int[] ends = {};
     private int[] endCols = {};
     private int[] endRows = {};
-    private int[] firstOfRow = {};
+    private long[] endBits = {};
 
     Pruning(int cols, int rows, byte[] state) {
         this.cols = cols;
         this.rows = rows;
+        this.words = cols + 63 >> 6;
         this.state = state;
-        this.candidate = i -> (state[i] & CANDIDATE) != 0;
-        this.keep = this::keep;
     }
 
     /** Returns the greatest squared distance in cells of a crossing of at most {@code limit} metres. */
@@ -51,7 +48,7 @@ final class Pruning {
     /** Returns a mask of the candidates that lie on a crossing of at most the given squared length in cells. */
     byte[] kept(double squared) {
         int reach = (int) Math.floor(Math.sqrt(squared));
-        ends = ends();
+        int[] ends = ends();
         for (int e : ends) {
             if ((state[e] & BEGIN) != 0) {
                 alongDirections(e, squared);
@@ -59,10 +56,14 @@ final class Pruning {
         }
         if (left > 0) {
             countLeft();
-            unpack();
+            unpack(ends);
+            int[] across = new int[reach + 1];
+            for (int dy = 0; dy <= reach; dy++) {
+                across[dy] = (int) Math.sqrt(squared - (double) dy * dy);
+            }
             for (int n = 0; n < ends.length; n++) {
                 if (left > 0 && (state[ends[n]] & BEGIN) != 0 && anyLeft(endCols[n], endRows[n], reach)) {
-                    toEnds(n, reach, squared);
+                    toEnds(n, reach, across);
                 }
             }
         }
@@ -155,22 +156,37 @@ final class Pruning {
         }
     }
 
-    private boolean keep(int i) {
+    private void keep(int i) {
         if ((state[i] & KEPT) == 0) {
             state[i] |= KEPT;
             left--;
         }
-        return true;
+    }
+
+    /** Keeps what the segment from a begin to an end passes, if that is candidates only. */
+    private void keepBetween(int begin, int dx, int dy) {
+        Straight line = new Straight(begin, dx, dy, cols);
+        int common = CANDIDATE | KEPT;
+        while (line.next()) {
+            int passed = state[line.at()];
+            if ((passed & CANDIDATE) == 0) {
+                return;
+            }
+            common &= passed;
+        }
+        if ((common & KEPT) == 0) {
+            line = new Straight(begin, dx, dy, cols);
+            while (line.next()) {
+                keep(line.at());
+            }
+        }
     }
 
     /** Keeps what the crossings from one begin to all ends within reach pass, begins tried before left out. */
-    private void toEnds(int begin, int reach, double squared) {
+    private void toEnds(int begin, int reach, int[] across) {
         int row = endRows[begin];
         for (int y = Math.max(0, row - reach), high = Math.min(rows - 1, row + reach); y <= high; y++) {
-            if (firstOfRow[y] < firstOfRow[y + 1]) {
-                double rest = squared - (double) (y - row) * (y - row);
-                toEndsOfRow(begin, y, rest < 0 ? -1 : (int) Math.sqrt(rest));
-            }
+            toEndsOfRow(begin, y, across[Math.abs(y - row)]);
         }
     }
 
@@ -179,37 +195,39 @@ final class Pruning {
         int row = endRows[begin];
         int low = Math.min(row, y);
         int high = Math.max(row, y);
+        int last = Math.min(cols - 1, col + across);
         if (!anyLeft(col - across, low, col + across, high)) {
             return;
         }
-        int n = firstOfRow[y];
-        int last = firstOfRow[y + 1];
-        while (n < last && endCols[n] < col - across) {
-            n++;
-        }
-        for (; n < last && endCols[n] <= col + across; n++) {
-            int dx = endCols[n] - col;
-            boolean tried = n <= begin && (state[ends[n]] & BEGIN) != 0;
-            if (!tried
-                    && anyLeft(Math.min(col, endCols[n]), low, Math.max(col, endCols[n]), high)
-                    && Straight.passes(row * cols + col, dx, y - row, cols, candidate)) {
-                Straight.passes(row * cols + col, dx, y - row, cols, keep);
+        for (int x = nextEnd(y, Math.max(0, col - across)); x <= last; x = nextEnd(y, x + 1)) {
+            boolean tried = (y < row || y == row && x <= col) && (state[y * cols + x] & BEGIN) != 0;
+            if (!tried && anyLeft(Math.min(col, x), low, Math.max(col, x), high)) {
+                keepBetween(row * cols + col, x - col, y - row);
             }
         }
     }
 
-    /** Unpacks the ascending cells of the ends, so that pairs are found without divisions. */
-    private void unpack() {
+    /** Returns the first column from {@code col} on that holds an end in a row, {@code cols} or more if none does. */
+    private int nextEnd(int row, int col) {
+        for (int w = col >> 6; w < words; w++) {
+            long bits = endBits[row * words + w];
+            bits &= w == col >> 6 ? -1L << col : -1L;
+            if (bits != 0) {
+                return w << 6 | Long.numberOfTrailingZeros(bits);
+            }
+        }
+        return words << 6;
+    }
+
+    /** Unpacks the cells of the ends, so that pairs are found without divisions. */
+    private void unpack(int[] ends) {
         endCols = new int[ends.length];
         endRows = new int[ends.length];
-        firstOfRow = new int[rows + 1];
+        endBits = new long[rows * words];
         for (int n = 0; n < ends.length; n++) {
             endRows[n] = ends[n] / cols;
             endCols[n] = ends[n] - endRows[n] * cols;
-            firstOfRow[endRows[n] + 1]++;
-        }
-        for (int row = 0; row < rows; row++) {
-            firstOfRow[row + 1] += firstOfRow[row];
+            endBits[endRows[n] * words + (endCols[n] >> 6)] |= 1L << endCols[n];
         }
     }
 }

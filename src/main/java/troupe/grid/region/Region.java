@@ -206,7 +206,20 @@ public final class Region implements StepRelation {
         return Math.abs(elevation(begin) - elevation(end)) <= actor.stepHeight() + Column.SAME
                 && (double) dx * dx + (double) dy * dy <= Pruning.squaredCells(limit, frame.cell())
                 && (dx | dy) != 0
-                && Straight.passes(cell(begin), dx, dy, frame.cols(), cell -> crossings.find(cell, level, kind) >= 0);
+                && passes(cell(begin), dx, dy, level, kind);
+    }
+
+    /** Tells whether there is a cell between two ends, and over each of those a crossing of a level and kind. */
+    private boolean passes(int begin, int dx, int dy, int level, byte kind) {
+        Straight line = new Straight(begin, dx, dy, frame.cols());
+        boolean any = false;
+        while (line.next()) {
+            if (crossings.find(line.at(), level, kind) < 0) {
+                return false;
+            }
+            any = true;
+        }
+        return any;
     }
 
     private boolean takesOff(int q) {

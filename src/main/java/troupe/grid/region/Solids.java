@@ -37,18 +37,18 @@ final class Solids {
     private final List<Integer> walls;
     private int[] edge;
 
-    Solids(Scene scene, Actor actor, Columns columns, Rims rims, GridFrame frame) {
+    Solids(Scene scene, Actor actor, Columns columns, Standing standing, GridFrame frame) {
         this.scene = scene;
         this.actor = actor;
         this.columns = columns;
-        this.rims = rims;
+        this.rims = standing.rims();
         this.frame = frame;
         this.runs = new CellRuns(frame);
         this.radius = actor.walk().radius();
         this.touching = radius < Standing.TOUCHING * frame.cell();
         int count = scene.obstacles().size();
         this.boxes = new Window[count];
-        this.outlines = new int[count][];
+        this.outlines = standing.walkRuns();
         this.covers = new int[count][];
         for (int i = 0; i < count; i++) {
             boxes[i] =

@@ -36,6 +36,7 @@ final class Standing {
     private final int cells;
     private final byte[] abilities;
     private final byte[] kinds;
+    private final int[][] walkRuns;
 
     Standing(Scene scene, Actor actor, Columns columns, Spans spans) {
         this.scene = scene;
@@ -46,6 +47,7 @@ final class Standing {
         this.cells = spans.frame().size();
         this.abilities = new byte[spans.size()];
         this.kinds = new byte[spans.size()];
+        this.walkRuns = new int[scene.obstacles().size()][];
     }
 
     /** Finds which abilities have room on each span. */
@@ -62,7 +64,8 @@ final class Standing {
             ditchWalls(runs, s.radius(), sidestep);
         });
         boolean[] blocked = new boolean[spans.levels()];
-        for (Obstacle obstacle : scene.obstacles()) {
+        for (int n = 0; n < walkRuns.length; n++) {
+            Obstacle obstacle = scene.obstacles().get(n);
             boolean any = false;
             for (int level = 0; level < blocked.length; level++) {
                 blocked[level] =
@@ -71,6 +74,7 @@ final class Standing {
             }
             if (any) {
                 outline(runs, obstacle.outline(), blocked, walkRadius, walk);
+                walkRuns[n] = runs.copy();
                 actor.sidestep().ifPresent(s -> outline(runs, obstacle.outline(), blocked, s.radius(), sidestep));
             }
         }
@@ -221,6 +225,14 @@ final class Standing {
     /** Returns the pieces of outlines where floors or ground change. */
     Rims rims() {
         return rims;
+    }
+
+    /**
+     * Returns for each obstacle the cells within the walk radius of its outline, as runs of {@link CellRuns},
+     * null where no floor has been asked for them; the array itself.
+     */
+    int[][] walkRuns() {
+        return walkRuns;
     }
 
     /** Returns the ability bits of each span; the array itself. */

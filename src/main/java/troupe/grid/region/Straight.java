@@ -3,46 +3,47 @@ package troupe.grid.region;
 /**
  * Walks the straight segment between two cell centres through the cells whose open inside it crosses, in
  * integers. A segment through the common corner of four cells crosses the two it comes from and goes to only.
+ * The same cells are walked from either end. Short-lived, for one walk.
  */
 final class Straight {
-    /** Says which cells a segment may pass through. */
-    interface Cells {
-        /** Tells whether the cell of this index is one of them. */
-        boolean hold(int index);
-    }
-
-    private Straight() {}
+    private final int twiceDx;
+    private final int twiceDy;
+    private final int stepX;
+    private final int stepY;
+    private final int end;
+    private int at;
+    private int side;
 
     /**
-     * Tells whether every cell between the two ends, the ends left out, is one of {@code cells}, and there
-     * is at least one. The begin has index {@code begin}, the end lies {@code dx} columns and {@code dy} rows
-     * further, where a row is {@code stride} indices. Cost O(|dx| + |dy|).
+     * Begins a walk at index {@code begin} to the end that lies {@code dx} columns and {@code dy} rows
+     * further, where a row is {@code stride} indices.
      */
-    static boolean passes(int begin, int dx, int dy, int stride, Cells cells) {
-        long a = Math.abs(dx);
-        long b = Math.abs(dy);
-        int stepX = dx < 0 ? -1 : 1;
-        int stepY = dy < 0 ? -stride : stride;
-        int end = begin + dx + dy * stride;
-        int at = begin;
-        boolean any = false;
-        for (long i = 0, j = 0; ; ) {
-            long side = (2 * i + 1) * b - (2 * j + 1) * a;
-            if (side <= 0) {
-                i++;
-                at += stepX;
-            }
-            if (side >= 0) {
-                j++;
-                at += stepY;
-            }
-            if (at == end) {
-                return any;
-            }
-            if (!cells.hold(at)) {
-                return false;
-            }
-            any = true;
+    Straight(int begin, int dx, int dy, int stride) {
+        this.twiceDx = 2 * Math.abs(dx);
+        this.twiceDy = 2 * Math.abs(dy);
+        this.stepX = dx < 0 ? -1 : 1;
+        this.stepY = dy < 0 ? -stride : stride;
+        this.end = begin + dx + dy * stride;
+        this.at = begin;
+        this.side = Math.abs(dy) - Math.abs(dx);
+    }
+
+    /** Goes on to the next cell; returns whether that lies between the two ends. Not to be called at the end. */
+    boolean next() {
+        int before = side;
+        if (before <= 0) {
+            side += twiceDy;
+            at += stepX;
         }
+        if (before >= 0) {
+            side -= twiceDx;
+            at += stepY;
+        }
+        return at != end;
+    }
+
+    /** Returns the index of the cell that the walk has come to. */
+    int at() {
+        return at;
     }
 }
