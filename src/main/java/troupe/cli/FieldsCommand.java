@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import troupe.exchange.ExchangeException;
+import troupe.grid.GridLimitException;
 import troupe.run.Overlay;
 import troupe.scene.Scene;
 import troupe.scene.SceneException;
@@ -61,7 +62,13 @@ final class FieldsCommand implements Command {
         if (SceneFiles.refused(new SceneSource(scene, source.lines()), word, terminal)) {
             return CommandLine.BAD_INPUT;
         }
-        Fields fields = Fields.of(scene, task, keys);
+        Fields fields;
+        try {
+            fields = Fields.of(scene, task, keys);
+        } catch (GridLimitException tooMuch) {
+            terminal.say(tooMuch.getMessage());
+            return CommandLine.FAILED;
+        }
         Files.createDirectories(folder);
         for (List<Overlay> shown : fields.overlays()) {
             Overlay first = shown.get(0);

@@ -12,12 +12,6 @@ final class DocumentRules {
 
     private static final Pattern COLOUR = Pattern.compile("(#[0-9a-fA-F]{6})?");
 
-    /** Bytes that planning takes for each cell of a flat scene, fields and search included, measured and rounded up. */
-    private static final long BYTES_PER_CELL = 160;
-
-    /** Kernels index cells with an int and a few sheets of them. */
-    private static final long MAX_CELLS = 1L << 27;
-
     /** The smallest edge of a cell in metres: far above the nanometre within which lengths count as equal. */
     private static final double SMALLEST_CELL = 1e-4;
 
@@ -82,8 +76,7 @@ final class DocumentRules {
         if (!(cells > 0)) {
             return;
         }
-        long free = Runtime.getRuntime().maxMemory() / 4 * 3;
-        double most = Math.min(MAX_CELLS, free / (double) BYTES_PER_CELL);
+        double most = GridMemory.mostCells();
         if (cells > most) {
             double fitting = Math.sqrt(world.width()) * Math.sqrt(world.depth()) / Math.sqrt(most) * 1.01;
             findings.error(
@@ -92,8 +85,8 @@ final class DocumentRules {
                             Locale.ROOT,
                             "a grid of %.3g cells needs %.3g GB; this Java may use %.3g GB",
                             cells,
-                            cells * BYTES_PER_CELL / 1e9,
-                            free / 1e9),
+                            cells * GridMemory.BYTES_PER_CELL / 1e9,
+                            GridMemory.bytes() / 1e9),
                     String.format(Locale.ROOT, "a cell of %.4g m would fit", fitting));
         }
     }

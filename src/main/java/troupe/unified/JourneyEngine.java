@@ -2,7 +2,9 @@ package troupe.unified;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
+import troupe.grid.GridLimitException;
 import troupe.grid.field.Nf2;
 import troupe.grid.layer.Layers;
 import troupe.grid.region.Region;
@@ -82,7 +84,11 @@ public final class JourneyEngine implements Engine {
             throw new IllegalArgumentException("budget=" + budget + "; needs at least 1");
         }
         if (region == null && outcome.isRunning()) {
-            prepare();
+            try {
+                prepare();
+            } catch (GridLimitException tooMuch) {
+                outcome = new Outcome.Infeasible(tooMuch.getMessage());
+            }
         }
         long left = budget;
         while (left > 0 && outcome.isRunning()) {
@@ -128,15 +134,27 @@ public final class JourneyEngine implements Engine {
             if (search.outcome().isFound()) {
                 path = search.path().orElseThrow();
                 travel();
+            } else {
+                outcome = search.outcome();
             }
-            outcome = search.outcome();
         }
         return Math.max(1, searched() - before);
     }
 
     private void travel() {
         RouteBuilder builder = new RouteBuilder(region, costs, new SweptBody(scene, actor));
-        motion = new Motion(actor, builder.route(path)).record();
+        Motion travelled = new Motion(actor, builder.route(path));
+        if (travelled.leastSeconds() > Motion.LONGEST) {
+            path = null;
+            outcome = new Outcome.Infeasible(String.format(
+                    Locale.ROOT,
+                    "the way takes %.1f h, a run holds %.0f h; raise the speeds",
+                    travelled.leastSeconds() / 3600,
+                    Motion.LONGEST / 3600));
+        } else {
+            motion = travelled.record();
+            outcome = Outcome.FOUND;
+        }
     }
 
     private long explainOn() {
@@ -214,7 +232,7 @@ public final class JourneyEngine implements Engine {
                     separation.blockedBy(),
                     separation.blockedTogether(),
                     separation.wouldHelp());
-        } else if (outcome instanceof Outcome.Infeasible) {
+        } else if (outcome instanceof Outcome.Infeasible && search == null && start != null) {
             List<String> ids = new ArrayList<>(start.blockedBy());
             ids.addAll(goal.blockedBy());
             report.separated(0, ids.stream().distinct().toList(), List.of(), List.of());

@@ -12,6 +12,7 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import troupe.geometry.Polygon;
 import troupe.grid.GridFrame;
+import troupe.grid.GridLimitException;
 import troupe.grid.region.Reach;
 import troupe.grid.region.Region;
 import troupe.scene.Ability;
@@ -258,7 +259,12 @@ final class Separation {
 
     /** Tells whether a search finds a way after a change. */
     private boolean leads(Scene changed, Actor equipped) {
-        Region other = Region.of(changed, equipped);
+        Region other;
+        try {
+            other = Region.of(changed, equipped);
+        } catch (GridLimitException tooMuch) {
+            return false;
+        }
         int start = other.locate(journey.start());
         int goal = other.locate(journey.goal());
         if (start < 0 || goal < 0 || !other.open(start) || !other.open(goal)) {

@@ -31,6 +31,8 @@ public final class ProblemBatch {
     public static final double FINE = 1e-5;
 
     private static final int CHUNK = 64;
+    /** Expansions between two looks at whether the work is cancelled, some milliseconds. */
+    private static final long SLICE = 100_000;
 
     private final List<Problem> problems;
     private final Region region;
@@ -74,32 +76,43 @@ public final class ProblemBatch {
         return problems.size();
     }
 
-    /** Solves every problem on {@code jobs} threads and hands the rows over, in order, on the calling thread. */
+    /**
+     * Solves every problem on {@code jobs} threads and hands the rows over, in order, on the calling thread.
+     * When {@code cancelled}, which is asked from all threads, says so, the problems in work are dropped; the
+     * rows handed over are then the first ones without a gap.
+     */
     public void run(int jobs, BooleanSupplier cancelled, Consumer<Row> rows) {
         ThreadLocal<JourneyWorkspace> work = ThreadLocal.withInitial(() -> new JourneyWorkspace(region));
         List<Callable<List<Row>>> chunks = new ArrayList<>();
         for (int next = 0; next < problems.size(); next += CHUNK) {
             List<Problem> chunk = problems.subList(next, Math.min(next + CHUNK, problems.size()));
-            chunks.add(() -> solve(chunk, work.get()));
+            chunks.add(() -> solve(chunk, work.get(), cancelled));
         }
+        int[] handed = {0};
         Ordered.run(chunks, jobs, cancelled, done -> {
             done.forEach(rows);
-            return true;
+            handed[0] += done.size();
+            return handed[0] % CHUNK == 0 && !done.isEmpty();
         });
     }
 
-    private List<Row> solve(List<Problem> chunk, JourneyWorkspace work) {
+    /** Returns the rows of the problems up to the one at which the work was cancelled. */
+    private List<Row> solve(List<Problem> chunk, JourneyWorkspace work, BooleanSupplier cancelled) {
         Actor actor = region.actor();
         JourneyCosts costs =
                 new JourneyCosts(actor, Preferences.NEUTRAL, region.frame().cell());
         List<Row> rows = new ArrayList<>();
         for (Problem problem : chunk) {
-            rows.add(solve(problem, work, costs));
+            Row row = solve(problem, work, costs, cancelled);
+            if (row.outcome().isRunning()) {
+                break;
+            }
+            rows.add(row);
         }
         return rows;
     }
 
-    private Row solve(Problem problem, JourneyWorkspace work, JourneyCosts costs) {
+    private Row solve(Problem problem, JourneyWorkspace work, JourneyCosts costs, BooleanSupplier cancelled) {
         int start = region.locate(problem.start());
         int goal = region.locate(problem.goal());
         if (start < 0 || goal < 0 || !region.open(start) || !region.open(goal)) {
@@ -108,7 +121,10 @@ public final class ProblemBatch {
         }
         long begin = System.nanoTime();
         JourneySearch search = new JourneySearch(work, costs, JourneyQuery.optimal(start, goal));
-        Outcome outcome = search.step(Long.MAX_VALUE);
+        Outcome outcome = search.outcome();
+        while (outcome.isRunning() && !cancelled.getAsBoolean()) {
+            outcome = search.step(SLICE);
+        }
         double length = search.path().map(JourneyPath::length).orElse(Double.NaN);
         double micros = (System.nanoTime() - begin) * 1e-3;
         return new Row(problem, outcome, length, search.expanded(), micros);

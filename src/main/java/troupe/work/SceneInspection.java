@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
+import troupe.grid.GridLimitException;
 import troupe.grid.region.Region;
 import troupe.scene.Ability;
 import troupe.scene.Actor;
@@ -31,7 +32,7 @@ import troupe.scene.Task;
 public final class SceneInspection {
     private final Scene scene;
     private final Map<String, Integer> lines;
-    private final Map<Actor, Region> regions = new HashMap<>();
+    private final Map<Actor, Optional<Region>> regions = new HashMap<>();
     private final List<Problem> problems = new ArrayList<>();
 
     private SceneInspection(Scene scene, Map<String, Integer> lines) {
@@ -61,9 +62,23 @@ public final class SceneInspection {
         if (!journey.preferences().allows(Ability.WALK)) {
             return;
         }
-        Region region = regions.computeIfAbsent(Fields.able(scene, journey), a -> Region.of(scene, a));
-        place(journey, "start", journey.start(), region);
-        place(journey, "goal", journey.goal(), region);
+        Actor actor = Fields.able(scene, journey);
+        if (!regions.containsKey(actor)) {
+            regions.put(actor, region(journey, actor));
+        }
+        regions.get(actor).ifPresent(region -> {
+            place(journey, "start", journey.start(), region);
+            place(journey, "goal", journey.goal(), region);
+        });
+    }
+
+    private Optional<Region> region(Journey journey, Actor actor) {
+        try {
+            return Optional.of(Region.of(scene, actor));
+        } catch (GridLimitException tooMuch) {
+            report(journey, tooMuch.found(), tooMuch.cure());
+            return Optional.empty();
+        }
     }
 
     private void place(Journey journey, String which, Place place, Region region) {

@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import troupe.geometry.Polygon;
@@ -270,5 +271,69 @@ class JourneyEngineTest implements EngineContract {
         assertInstanceOf(Outcome.Infeasible.class, run.outcome());
         List<?> blockedBy = (List<?>) run.report().values().get("blocked_by");
         assertEquals("crate", blockedBy.get(0), blockedBy.toString());
+    }
+
+    @Test
+    void saysThatAWayTakesLongerThanARunHolds() {
+        Actor standard = Actor.standard("ann");
+        Actor snail = new Actor(
+                "ann",
+                "",
+                "",
+                standard.bodyHeight(),
+                standard.footRadius(),
+                standard.stepHeight(),
+                standard.maxBorder(),
+                new Actor.Walk(0.25, 1, 1e-7),
+                standard.sidestep(),
+                standard.stride(),
+                standard.vault(),
+                standard.move());
+        Run run = plan(scene(snail, RIGHT));
+        Outcome.Infeasible outcome = assertInstanceOf(Outcome.Infeasible.class, run.outcome());
+        assertTrue(outcome.reason().contains("a run holds 24 h"), outcome.reason());
+        assertEquals(0, run.frames().count());
+    }
+
+    @Test
+    void answersWhereTooManyFloorsLieAboveEachOther() {
+        Object[] slabs = new Object[250];
+        for (int i = 0; i < slabs.length; i++) {
+            Polygon outline = Polygon.rectangle(4, 4, 6, 6);
+            slabs[i] = new Obstacle("slab" + i, "", outline, 3 + 2 * i, 0.1, false, 20, "");
+        }
+        Run run = plan(slabs);
+        Outcome.Infeasible outcome = assertInstanceOf(Outcome.Infeasible.class, run.outcome());
+        assertTrue(outcome.reason().startsWith("251 floors above each other"), outcome.reason());
+        assertTrue(outcome.reason().contains("put fewer obstacles above each other"), outcome.reason());
+    }
+
+    @Test
+    void answersWhereTooManyCrossingsLieOverACell() {
+        Object[] parts = new Object[161];
+        for (int i = 0; i < 80; i++) {
+            double x = 1 + i * 0.1;
+            parts[2 * i] = block("near" + i, (i + 1) * 0.001, x, 2, x + 0.1, 3);
+            parts[2 * i + 1] = block("far" + i, (i + 81) * 0.001, x, 8, x + 0.1, 9);
+        }
+        parts[160] = new Ditch("canal", "", Polygon.rectangle(0, 3, 10, 8), 3);
+        Actor s = Actor.standard("ann");
+        Actor leaper = new Actor(
+                "ann",
+                "",
+                "",
+                s.bodyHeight(),
+                0,
+                s.stepHeight(),
+                s.maxBorder(),
+                s.walk(),
+                s.sidestep(),
+                Optional.of(new Actor.Stride(9.9, 11, 1.5, 1, 1.5)),
+                Optional.empty(),
+                Optional.empty());
+        Journey across = Journey.of("right", "ann", Place.of(1.05, 1.05), Place.of(9.05, 9.55));
+        Outcome.Infeasible outcome = assertInstanceOf(
+                Outcome.Infeasible.class, plan(scene(leaper, across, parts)).outcome());
+        assertTrue(outcome.reason().contains("at most 63 fit"), outcome.reason());
     }
 }

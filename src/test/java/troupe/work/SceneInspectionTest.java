@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.Random;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import troupe.geometry.Polygon;
@@ -65,6 +67,44 @@ class SceneInspectionTest {
         List<Problem> found = problems(Place.of(3, 1), box("flat", 2, 0, 2, 3, 0, 2));
         assertTrue(found.stream().allMatch(p -> p.element().equals("flat")), found.toString());
         assertTrue(found.size() >= 1, found.toString());
+    }
+
+    @Test
+    void refusesObstaclesThatOverlapInTooManyWays() {
+        Random random = new Random(7);
+        Obstacle[] slabs = new Obstacle[600];
+        for (int i = 0; i < slabs.length; i++) {
+            double x = 1 + 2 * random.nextDouble();
+            double y = 2 * random.nextDouble();
+            slabs[i] = box("slab" + i, x, y, x + 2, y + 2, 3 + 0.1 * i, 0.04);
+        }
+        Actor thin = new Actor(
+                "anna",
+                "",
+                "",
+                ANNA.bodyHeight(),
+                ANNA.footRadius(),
+                ANNA.stepHeight(),
+                ANNA.maxBorder(),
+                ANNA.walk(),
+                Optional.empty(),
+                Optional.empty(),
+                Optional.empty(),
+                Optional.empty());
+        Scene scene = new Scene(
+                "",
+                new World(6, 5, 0.01),
+                List.of(slabs),
+                List.of(),
+                List.of(thin),
+                List.of(
+                        Journey.of("j1", "anna", Place.of(0.5, 0.5), Place.of(5.5, 4.5)),
+                        Journey.of("j2", "anna", Place.of(0.5, 0.5), Place.of(5.5, 4.5))));
+        List<Problem> errors = SceneInspection.check(new SceneSource(scene, Map.of())).stream()
+                .filter(p -> p.severity() == Severity.ERROR)
+                .toList();
+        assertEquals(1, errors.size(), errors::toString);
+        assertTrue(errors.get(0).message().startsWith("obstacles overlap in more than"), errors::toString);
     }
 
     private static void assertProblem(String message, List<Problem> found) {

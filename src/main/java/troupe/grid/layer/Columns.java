@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import troupe.grid.CellRuns;
 import troupe.grid.GridFrame;
+import troupe.grid.GridLimitException;
 import troupe.scene.Ditch;
 import troupe.scene.Obstacle;
 import troupe.scene.Scene;
@@ -19,15 +20,27 @@ public final class Columns {
     /** The number of the column that is solid all the way up. */
     public static final int ROCK = 0;
 
+    /** What a column takes besides its stretches, in stretches. */
+    private static final int OVERHEAD = 16;
+
+    /** The most stretches of all columns together; about 140 MB. */
+    private static final long MOST_STRETCHES = 1L << 23;
+
     private final List<Column> table = new ArrayList<>();
     private final Map<Column, Integer> numbers = new HashMap<>();
     private final Map<Long, Integer> raised = new HashMap<>();
     private final Map<Solid, Integer> solids = new HashMap<>();
     private final int[] at;
 
+    private long stretches;
+
     private record Solid(double bottom, double top, boolean standable) {}
 
-    /** Finds the column of each cell of the frame; cells whose centre lies outside the world are rock. */
+    /**
+     * Finds the column of each cell of the frame; cells whose centre lies outside the world are rock.
+     *
+     * @throws GridLimitException if the obstacles overlap in so many ways that the columns do not fit
+     */
     public Columns(GridFrame frame, Scene scene) {
         this.at = new int[frame.size()];
         number(Column.rock());
@@ -94,6 +107,12 @@ public final class Columns {
     private int number(Column column) {
         Integer known = numbers.get(column);
         if (known == null) {
+            stretches += column.size() + OVERHEAD;
+            if (stretches > Math.min(MOST_STRETCHES, Runtime.getRuntime().maxMemory() / 128)) {
+                throw new GridLimitException(
+                        "obstacles overlap in more than " + table.size() + " ways",
+                        "take some away where many lie over each other, or choose a larger cell");
+            }
             known = table.size();
             table.add(column);
             numbers.put(column, known);

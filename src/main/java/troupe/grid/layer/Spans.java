@@ -1,7 +1,10 @@
 package troupe.grid.layer;
 
 import java.util.Arrays;
+import java.util.Locale;
 import troupe.grid.GridFrame;
+import troupe.grid.GridLimitException;
+import troupe.scene.GridMemory;
 
 /**
  * Holds the spans of a scene: the free stretches {@code (floor, ceiling)} over each cell in which the
@@ -13,6 +16,11 @@ import troupe.grid.GridFrame;
  * overhang costs four bytes per cell. Source: Unified section 3; Li and Huang's layered scenes.
  */
 public final class Spans {
+    /** The most floors above each other; a taller stack than any building has. */
+    static final int MOST_SHEETS = 200;
+
+    private static final int BYTES_PER_ENTRY = 20;
+
     private final GridFrame frame;
     private final int size;
     private final int sheets;
@@ -23,7 +31,12 @@ public final class Spans {
     private final int[] levels;
     private final double[] elevations;
 
-    /** Finds the spans of {@code bodyHeight} metres in each distinct column. */
+    /**
+     * Finds the spans of {@code bodyHeight} metres in each distinct column.
+     *
+     * @throws GridLimitException if there are more than {@value #MOST_SHEETS} above each other, or so many
+     *     that planning would not fit into memory
+     */
     public Spans(GridFrame frame, Columns columns, double bodyHeight) {
         this.frame = frame;
         this.size = frame.size();
@@ -33,7 +46,7 @@ public final class Spans {
         for (int id = 0; id < this.columns; id++) {
             most = Math.max(most, kept(columns.column(id), bodyHeight, null, null, 0));
         }
-        this.sheets = most;
+        this.sheets = checked(most);
         this.floors = new double[this.columns * most];
         this.ceilings = new double[this.columns * most];
         Arrays.fill(floors, Double.NaN);
@@ -46,6 +59,24 @@ public final class Spans {
         for (int i = 0; i < floors.length; i++) {
             levels[i] = Double.isNaN(floors[i]) ? -1 : nearest(elevations, floors[i]);
         }
+    }
+
+    /** Returns the number of sheets after checking that the spans, and the table over the columns, fit. */
+    private int checked(int most) {
+        double bytes = (double) most * size * GridMemory.BYTES_PER_CELL + (double) most * columns * BYTES_PER_ENTRY;
+        if (most > MOST_SHEETS || (double) most * size > GridMemory.mostCells() || bytes > GridMemory.bytes()) {
+            throw new GridLimitException(
+                    String.format(
+                            Locale.ROOT,
+                            "%d floors above each other over %d cells need %.3g GB; at most %d floors and %.3g GB fit",
+                            most,
+                            size,
+                            bytes / 1e9,
+                            MOST_SHEETS,
+                            GridMemory.bytes() / 1e9),
+                    "put fewer obstacles above each other, or choose a larger cell");
+        }
+        return most;
     }
 
     private static int kept(Column column, double bodyHeight, double[] floors, double[] ceilings, int base) {

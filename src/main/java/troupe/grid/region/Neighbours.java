@@ -1,7 +1,9 @@
 package troupe.grid.region;
 
 import java.util.BitSet;
+import java.util.Locale;
 import troupe.grid.GridFrame;
+import troupe.grid.GridLimitException;
 import troupe.grid.layer.Column;
 import troupe.grid.layer.Spans;
 import troupe.scene.Actor;
@@ -33,9 +35,16 @@ final class Neighbours {
         for (int i = 0; i < crossings.size(); i++) {
             int over = crossings.first(crossings.cell(i) + 1) - crossings.first(crossings.cell(i));
             if (over >= Region.MAX_NEIGHBOURS / GridFrame.DIRECTIONS) {
-                throw new IllegalArgumentException("cell " + crossings.cell(i) + " lies under " + over
-                        + " crossings; at most " + (Region.MAX_NEIGHBOURS / GridFrame.DIRECTIONS - 1)
-                        + " fit: floors that differ by tiny steps?");
+                int cell = crossings.cell(i);
+                throw new GridLimitException(
+                        String.format(
+                                Locale.ROOT,
+                                "%d crossings begin or pass at (%.3g, %.3g); at most %d fit",
+                                over,
+                                frame.centreX(frame.col(cell)),
+                                frame.centreY(frame.row(cell)),
+                                Region.MAX_NEIGHBOURS / GridFrame.DIRECTIONS - 1),
+                        "give steps near there fewer different heights");
             }
         }
     }

@@ -23,6 +23,9 @@ import troupe.scene.Actor;
  */
 public final class Motion {
     public static final double RATE = 25;
+    /** The most seconds that a run can hold, less what turning may take. */
+    public static final double LONGEST = 86_000;
+
     /** Highest rate of turning in rad/s: a full turn a second. */
     static final double TURN_RATE = 2 * Math.PI;
 
@@ -74,6 +77,15 @@ public final class Motion {
 
     /** What a motion leaves behind: its frames and its legs, one per stretch. */
     public record Recorded(Frames frames, List<Run.Leg> legs) {}
+
+    /** Returns the seconds that the route takes besides turning in place; so many that no run can hold them are told too. */
+    public double leastSeconds() {
+        double seconds = 0;
+        for (Stretch stretch : route) {
+            seconds += stretch.length() / speed(stretch.ability());
+        }
+        return seconds;
+    }
 
     /** Travels the route; without a stretch there are no frames. Cost O(frames + points). */
     public Recorded record() {
