@@ -2,10 +2,10 @@ package troupe.unified.motion;
 
 import java.util.ArrayList;
 import java.util.List;
+import troupe.geometry.Line;
 import troupe.geometry.Polygon;
 import troupe.scene.Actor;
 import troupe.scene.Obstacle;
-import troupe.unified.motion.SweptBody.Line;
 
 /**
  * Draws the way of the feet over a crossing: straight on the ground between the two standing

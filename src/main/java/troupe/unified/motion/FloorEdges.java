@@ -3,10 +3,10 @@ package troupe.unified.motion;
 import java.util.Arrays;
 import java.util.List;
 import troupe.geometry.Box;
+import troupe.geometry.Line;
 import troupe.geometry.Polygon;
 import troupe.scene.Ditch;
 import troupe.scene.Obstacle;
-import troupe.unified.motion.SweptBody.Line;
 
 /**
  * Knows where the floor changes: the outlines of everything that can be stood on and of the ditches.

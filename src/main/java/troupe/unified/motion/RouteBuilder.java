@@ -3,12 +3,12 @@ package troupe.unified.motion;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import troupe.geometry.Line;
 import troupe.grid.GridFrame;
 import troupe.grid.region.Kind;
 import troupe.grid.region.Region;
 import troupe.scene.Ability;
 import troupe.scene.Obstacle;
-import troupe.unified.motion.SweptBody.Line;
 import troupe.unified.search.JourneyCosts;
 import troupe.unified.search.JourneyPath;
 

@@ -2,13 +2,13 @@ package troupe.unified.motion;
 
 import java.util.ArrayList;
 import java.util.List;
+import troupe.geometry.Line;
 import troupe.geometry.Point;
 import troupe.grid.GridFrame;
 import troupe.grid.layer.Spans;
 import troupe.grid.region.Kind;
 import troupe.grid.region.Region;
 import troupe.scene.Ability;
-import troupe.unified.motion.SweptBody.Line;
 
 /**
  * Pulls the standing parts of a grid path taut within their classes. A line is taken only if every cell

@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import troupe.geometry.Box;
+import troupe.geometry.Line;
 import troupe.geometry.Polygon;
-import troupe.geometry.Segments;
 import troupe.scene.Ability;
 import troupe.scene.Actor;
 import troupe.scene.Obstacle;
@@ -137,66 +137,5 @@ public final class SweptBody {
             }
         }
         return least;
-    }
-
-    /** Holds a directed straight line from a to b in metres; a and b may coincide. */
-    record Line(double ax, double ay, double bx, double by) {
-
-        /** Returns the length in metres. */
-        double length() {
-            return Math.sqrt((bx - ax) * (bx - ax) + (by - ay) * (by - ay));
-        }
-
-        /** Returns the smallest box that holds the line. */
-        Box bounds() {
-            return new Box(Math.min(ax, bx), Math.min(ay, by), Math.max(ax, bx), Math.max(ay, by));
-        }
-
-        /** Returns the least distance in metres to the outline of a polygon. Cost O(corners). */
-        double distance(Polygon polygon) {
-            double least = Double.POSITIVE_INFINITY;
-            for (int i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
-                least = Math.min(least, distanceSquared(polygon.x(j), polygon.y(j), polygon.x(i), polygon.y(i)));
-            }
-            return Math.sqrt(least);
-        }
-
-        /** Tells whether the outline of a polygon crosses the line properly. Cost O(corners). */
-        boolean crosses(Polygon polygon) {
-            for (int i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
-                if (crosses(polygon.x(j), polygon.y(j), polygon.x(i), polygon.y(i))) {
-                    return true;
-                }
-            }
-            return false;
-        }
-
-        /** Returns the squared distance in square metres to the segment c-d, 0 if they cross. */
-        double distanceSquared(double cx, double cy, double dx, double dy) {
-            if (crosses(cx, cy, dx, dy)) {
-                return 0;
-            }
-            return Math.min(
-                    Math.min(
-                            Segments.distanceSquared(ax, ay, cx, cy, dx, dy),
-                            Segments.distanceSquared(bx, by, cx, cy, dx, dy)),
-                    Math.min(
-                            Segments.distanceSquared(cx, cy, ax, ay, bx, by),
-                            Segments.distanceSquared(dx, dy, ax, ay, bx, by)));
-        }
-
-        private boolean crosses(double cx, double cy, double dx, double dy) {
-            double c = side(cx, cy);
-            double d = side(dx, dy);
-            Line other = new Line(cx, cy, dx, dy);
-            double a = other.side(ax, ay);
-            double b = other.side(bx, by);
-            return (c > 0 && d < 0 || c < 0 && d > 0) && (a > 0 && b < 0 || a < 0 && b > 0);
-        }
-
-        /** Returns a number above 0 left of the line, below 0 right of it. */
-        private double side(double x, double y) {
-            return (bx - ax) * (y - ay) - (by - ay) * (x - ax);
-        }
     }
 }

@@ -3,8 +3,8 @@ package troupe.unified.motion;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import troupe.geometry.Line;
 import troupe.geometry.Point;
-import troupe.unified.motion.SweptBody.Line;
 
 /**
  * Pulls a polyline taut between its ends without leaving what a predicate allows. From each kept corner the

@@ -8,13 +8,13 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
+import troupe.geometry.Line;
 import troupe.geometry.Polygon;
 import troupe.scene.Actor;
 import troupe.scene.Ditch;
 import troupe.scene.Obstacle;
 import troupe.scene.Scene;
 import troupe.scene.World;
-import troupe.unified.motion.SweptBody.Line;
 
 /** Compares the exact answers with ones from points laid densely along the line and over the disc. */
 class SweptBodyOracleTest {

@@ -7,13 +7,13 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
+import troupe.geometry.Line;
 import troupe.geometry.Point;
 import troupe.geometry.Polygon;
 import troupe.scene.Actor;
 import troupe.scene.Obstacle;
 import troupe.scene.Scene;
 import troupe.scene.World;
-import troupe.unified.motion.SweptBody.Line;
 
 class TautStringTest {
     private static SweptBody body(double radius, Polygon... walls) {
