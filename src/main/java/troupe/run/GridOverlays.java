@@ -3,6 +3,7 @@ package troupe.run;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.concurrent.CancellationException;
 import java.util.function.IntPredicate;
 import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
@@ -77,8 +78,12 @@ public final class GridOverlays {
      *
      * @param nf2 the field towards the goal, null if there is none
      * @throws IllegalArgumentException if the key is not one of {@link #KEYS}
+     * @throws CancellationException if the thread is interrupted
      */
     public List<Overlay> of(String key, Nf2 nf2) {
+        if (Thread.currentThread().isInterrupted()) {
+            throw new CancellationException("interrupted before overlay '" + key + "'");
+        }
         return switch (key) {
             case "layers" -> layers();
             case "elevation" -> elevation();

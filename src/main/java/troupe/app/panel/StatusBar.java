@@ -15,6 +15,7 @@ import javax.swing.BoxLayout;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.Timer;
+import troupe.app.document.SceneDocument;
 import troupe.app.look.Drawn;
 import troupe.app.look.FlatButton;
 import troupe.app.look.Look;
@@ -44,6 +45,7 @@ public final class StatusBar extends Panel {
     private final FlatButton cancel;
     private final transient Timer patience;
     private Tone state = Tone.DIM;
+    private boolean working;
     private transient Optional<Point> pointer = Optional.empty();
 
     /** Makes the status bar. */
@@ -67,6 +69,12 @@ public final class StatusBar extends Panel {
         observing(session.plans().add(this::show));
         observing(session.planner().works().add(this::show));
         observing(session.notices().add(this::show));
+        observing(session.document().listeners().add(change -> {
+            if (change == SceneDocument.Change.OPENED) {
+                state = Tone.DIM;
+                happened(look.text("status.ready"), "");
+            }
+        }));
         session.plan().ifPresentOrElse(this::show, () -> happened(look.text("status.ready"), ""));
     }
 
@@ -145,6 +153,9 @@ public final class StatusBar extends Panel {
         if (!work.planning()) {
             patience.stop();
             showWork(false);
+            if (working) {
+                session().plan().ifPresentOrElse(this::show, () -> happened(look().text("outcome.cancelled"), ""));
+            }
         } else if (!patience.isRunning() && !cancel.isVisible()) {
             patience.restart();
         }
@@ -157,6 +168,7 @@ public final class StatusBar extends Panel {
         if (on) {
             happened(look().text("status.planning"), "");
             state = Tone.ACCENT;
+            working = true;
         }
         dot.repaint();
     }
@@ -202,6 +214,7 @@ public final class StatusBar extends Panel {
     }
 
     private void happened(String text, String more) {
+        working = false;
         happened.setText(text);
         happened.setToolTipText(text);
         details.setText(more);

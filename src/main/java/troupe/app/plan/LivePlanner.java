@@ -3,10 +3,13 @@ package troupe.app.plan;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CancellationException;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicReference;
 import troupe.app.document.EventThread;
 import troupe.app.document.Listeners;
 import troupe.app.document.Version;
@@ -19,16 +22,24 @@ import troupe.work.Explainer;
 import troupe.work.Explanation;
 
 /**
- * Plans the newest snapshot on one background thread. A new request makes the one before it obsolete:
+ * Plans the newest snapshot on a background thread. A new request makes the one before it obsolete:
  * after a change of the document at once; within a gesture, where a request comes with each move of the
  * pointer, the work under way may go on for {@link #PATIENCE_MS}, or nothing would ever be shown. What
  * comes back is told on the event thread, and only if it is of the revision asked for last and newer
  * than what was told before. A snapshot is told more than once: its plan, then with its views, and, when it
- * is no moment of a gesture, with all problems, and with what else could be done.
+ * is no moment of a gesture, with all problems, and with what else could be done. Work that is cancelled or
+ * of an older revision and does not end within {@link #GRACE_MS} is left behind: its thread is interrupted,
+ * nothing that it makes is told, and another thread takes over.
  */
 public final class LivePlanner implements AutoCloseable {
     /** How long in ms work for an earlier moment of the same gesture may go on. */
     public static final long PATIENCE_MS = 200;
+
+    /** How long in ms work that is not wanted any more may take to end before it is left behind. */
+    public static final long GRACE_MS = 200;
+
+    /** How many threads may be left behind at a time; more unwanted work is waited for. */
+    private static final int LEFT_BEHIND = 3;
 
     private static final long SLICE = 1_000;
     private static final long REPORT_MS = 60;
@@ -36,9 +47,11 @@ public final class LivePlanner implements AutoCloseable {
     private final PlanningSteps steps;
     private final Executor eventThread;
     private final long patienceMs;
-    private final ThreadPoolExecutor worker;
+    private final AtomicReference<Watch> current = new AtomicReference<>();
+    private final AtomicInteger leftBehind = new AtomicInteger();
     private final Listeners<Plan> plans = new Listeners<>();
     private final Listeners<Work> works = new Listeners<>();
+    private volatile ThreadPoolExecutor worker = worker();
     private volatile Snapshot newest;
     private volatile Snapshot cancelled;
     private Version told = new Version(-1, 0);
@@ -53,7 +66,10 @@ public final class LivePlanner implements AutoCloseable {
         this.steps = steps;
         this.eventThread = eventThread;
         this.patienceMs = patienceMs;
-        this.worker = new ThreadPoolExecutor(1, 1, 0, TimeUnit.SECONDS, new LinkedBlockingQueue<>(), task -> {
+    }
+
+    private static ThreadPoolExecutor worker() {
+        return new ThreadPoolExecutor(1, 1, 0, TimeUnit.SECONDS, new LinkedBlockingQueue<>(), task -> {
             Thread thread = new Thread(task, "planning");
             thread.setDaemon(true);
             return thread;
@@ -74,12 +90,24 @@ public final class LivePlanner implements AutoCloseable {
     public void request(Snapshot snapshot) {
         EventThread.require();
         newest = snapshot;
-        worker.execute(() -> work(snapshot));
+        ThreadPoolExecutor by = worker;
+        by.execute(() -> work(snapshot, by));
+        leaveUnlessEnded(current.get());
     }
 
-    /** Cancels the work under way; it ends with the outcome cancelled. */
+    /**
+     * Cancels the work under way. A search ends with the outcome cancelled; of work that has told its plan,
+     * or does not end at once, nothing more is told.
+     */
     public void cancel() {
-        cancelled = newest;
+        Snapshot unwanted = newest;
+        cancelled = unwanted;
+        eventThread.execute(() -> {
+            if (newest == unwanted) {
+                works.tell(Work.IDLE);
+            }
+        });
+        leaveUnlessEnded(current.get());
     }
 
     /** Ends the background thread; work under way is cancelled. */
@@ -89,15 +117,51 @@ public final class LivePlanner implements AutoCloseable {
         worker.shutdown();
     }
 
-    private void work(Snapshot snapshot) {
-        if (newest != snapshot) {
+    private void leaveUnlessEnded(Watch watch) {
+        if (watch != null) {
+            CompletableFuture.delayedExecutor(GRACE_MS, TimeUnit.MILLISECONDS, eventThread)
+                    .execute(() -> leave(watch));
+        }
+    }
+
+    /** Goes on with another thread if work under way is not wanted any more. */
+    private void leave(Watch watch) {
+        Snapshot asked = newest;
+        if (asked == null || current.get() != watch || !watch.isUnwanted()) {
+            return;
+        }
+        if (leftBehind.get() >= LEFT_BEHIND) {
+            leaveUnlessEnded(watch);
+            return;
+        }
+        watch.left = true;
+        leftBehind.incrementAndGet();
+        ThreadPoolExecutor stuck = worker;
+        ThreadPoolExecutor fresh = worker();
+        worker = fresh;
+        if (!current.compareAndSet(watch, null)) {
+            leftBehind.decrementAndGet(); // it has ended just now
+        }
+        stuck.shutdownNow();
+        if (asked != watch.snapshot) {
+            fresh.execute(() -> work(asked, fresh));
+        }
+    }
+
+    private void work(Snapshot snapshot, ThreadPoolExecutor by) {
+        if (newest != snapshot || worker != by) {
             return;
         }
         Watch watch = new Watch(snapshot);
+        current.set(watch);
         try {
             plan(snapshot, watch);
+        } catch (CancellationException e) {
+            return; // not wanted any more: what was told before stays
         } finally {
-            if (newest == snapshot) {
+            if (!current.compareAndSet(watch, null) && watch.left) {
+                leftBehind.decrementAndGet();
+            } else if (newest == snapshot) {
                 eventThread.execute(() -> works.tell(Work.IDLE));
             }
         }
@@ -107,7 +171,7 @@ public final class LivePlanner implements AutoCloseable {
         watch.report(0, Double.NaN);
         List<Problem> problems = steps.check(snapshot.scene());
         if (snapshot.task().isEmpty() || problems.stream().anyMatch(p -> p.severity() == Severity.ERROR)) {
-            tell(new Plan(snapshot, Optional.empty(), problems, Views.NONE, Optional.empty(), watch.elapsedMs()));
+            watch.tell(new Plan(snapshot, Optional.empty(), problems, Views.NONE, Optional.empty(), watch.elapsedMs()));
             return;
         }
         Engine engine = steps.start(snapshot.scene(), snapshot.task());
@@ -116,11 +180,11 @@ public final class LivePlanner implements AutoCloseable {
         }
         Run run = engine.run();
         Plan plan = new Plan(snapshot, Optional.of(run), problems, Views.NONE, Optional.empty(), watch.elapsedMs());
-        tell(plan);
-        if (watch.isNewest()) {
+        watch.tell(plan);
+        if (watch.isWanted()) {
             Plan seen = plan.withOverlays(steps.overlays(snapshot.scene(), snapshot.task(), engine));
-            tell(seen);
-            if (snapshot.version().preview() == 0 && watch.isNewest()) {
+            watch.tellWanted(seen);
+            if (snapshot.version().preview() == 0 && watch.isWanted()) {
                 explain(seen.withProblems(steps.inspect(snapshot.scene())), run, watch);
             }
         }
@@ -147,13 +211,13 @@ public final class LivePlanner implements AutoCloseable {
 
     /** Plans what else could be done: first without abilities, then at other preferences. */
     private void explain(Plan plan, Run run, Watch watch) {
-        tell(plan);
+        watch.tellWanted(plan);
         if (!run.outcome().isFound()) {
             return;
         }
         Explainer explainer = new Explainer((scene, task) -> {
             Engine engine = steps.start(scene, task);
-            if (!watch.isNewest() || watch.isCancelled()) {
+            if (!watch.isWanted()) {
                 engine.cancel();
             } else {
                 finish(engine, watch);
@@ -162,28 +226,18 @@ public final class LivePlanner implements AutoCloseable {
         });
         try {
             Explanation routes = explainer.routes(run);
-            tell(plan.explained(routes));
-            tell(plan.explained(explainer.flips(routes)));
+            watch.tellWanted(plan.explained(routes));
+            watch.tellWanted(plan.explained(explainer.flips(routes)));
         } catch (CancellationException e) {
             return; // a newer request, or the person, ended it: what was told before stays
         }
-    }
-
-    private void tell(Plan plan) {
-        eventThread.execute(() -> {
-            Version version = plan.snapshot().version();
-            Snapshot asked = newest;
-            if (asked != null && asked.version().revision() == version.revision() && version.compareTo(told) >= 0) {
-                told = version;
-                plans.tell(plan);
-            }
-        });
     }
 
     /** Watches one piece of work: whether it is still wanted, and when to report. */
     private final class Watch {
         private final Snapshot snapshot;
         private final long begin = System.nanoTime();
+        private volatile boolean left;
         private long reported = begin - TimeUnit.MILLISECONDS.toNanos(REPORT_MS);
 
         private Watch(Snapshot snapshot) {
@@ -194,8 +248,37 @@ public final class LivePlanner implements AutoCloseable {
             return (System.nanoTime() - begin) / 1e6;
         }
 
-        private boolean isNewest() {
-            return newest == snapshot;
+        private void tell(Plan plan) {
+            eventThread.execute(() -> {
+                Version version = plan.snapshot().version();
+                Snapshot asked = newest;
+                if (!left
+                        && asked != null
+                        && asked.version().revision() == version.revision()
+                        && version.compareTo(told) >= 0) {
+                    told = version;
+                    plans.tell(plan);
+                }
+            });
+        }
+
+        /** Tells a plan unless the person has cancelled this work. */
+        private void tellWanted(Plan plan) {
+            if (!isCancelled()) {
+                tell(plan);
+            }
+        }
+
+        private boolean isWanted() {
+            return newest == snapshot && !isCancelled() && !left;
+        }
+
+        /** Tells whether this work was cancelled or is of another revision than the one asked for. */
+        private boolean isUnwanted() {
+            Snapshot asked = newest;
+            return isCancelled()
+                    || asked == null
+                    || asked.version().revision() != snapshot.version().revision();
         }
 
         private boolean isCancelled() {
@@ -217,7 +300,7 @@ public final class LivePlanner implements AutoCloseable {
             if (now - reported >= TimeUnit.MILLISECONDS.toNanos(REPORT_MS)) {
                 reported = now;
                 eventThread.execute(() -> {
-                    if (isNewest()) {
+                    if (isWanted()) {
                         works.tell(new Work(true, done, share));
                     }
                 });

@@ -1,5 +1,6 @@
 package troupe.grid.region;
 
+import java.util.concurrent.CancellationException;
 import troupe.grid.CellRuns;
 import troupe.grid.DistanceTransform;
 import troupe.grid.GridFrame;
@@ -15,7 +16,8 @@ import troupe.scene.Scene;
  * Holds the clearance of every span of a standing body, computed as a whole when it is first asked for.
  * Per floor elevation a distance transform in a window around its spans, which grows until no solid
  * outside it can be nearer, bounds the distance to 0.71 cells; outlines and pieces then write the exact
- * distance within a band of the largest radius and two cells. May be shared between threads.
+ * distance within a band of the largest radius and two cells. May be shared between threads. A thread that is
+ * interrupted meanwhile gets a {@link CancellationException}; the clearance is then computed when next asked for.
  */
 final class Clearance {
     private static final int FIRST_MARGIN = 16;
@@ -53,6 +55,9 @@ final class Clearance {
                             actor.sidestep().map(Actor.Sidestep::radius).orElse(0.0))
                     + 2 * frame.cell();
             for (int level = 0; level < spans.levels(); level++) {
+                if (Thread.currentThread().isInterrupted()) {
+                    throw new CancellationException("interrupted before the clearance was known");
+                }
                 bound(level, made, (float) band);
             }
             edge(made);

@@ -3,6 +3,7 @@ package troupe.app.plan;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.EventQueue;
@@ -40,6 +41,7 @@ class LivePlannerTest implements PlanningSteps {
     private final BlockingQueue<Work> works = new LinkedBlockingQueue<>();
     private final Map<Scene, Runnable> during = new ConcurrentHashMap<>();
     private final Map<Scene, List<Problem>> problems = new ConcurrentHashMap<>();
+    private final Map<Scene, Runnable> whileViewing = new ConcurrentHashMap<>();
     private volatile Runnable whileExplaining = () -> {};
     private LivePlanner planner;
 
@@ -68,6 +70,7 @@ class LivePlannerTest implements PlanningSteps {
     @Override
     public List<Overlay> overlays(Scene scene, String task, Engine engine) {
         assertFalse(EventQueue.isDispatchThread());
+        whileViewing.getOrDefault(scene, () -> {}).run();
         return engine.overlays();
     }
 
@@ -217,6 +220,61 @@ class LivePlannerTest implements PlanningSteps {
         during.put(snapshot.scene(), () -> planner.cancel());
         request(snapshot);
         assertEquals(Outcome.CANCELLED, next().run().orElseThrow().outcome());
+    }
+
+    /** Lets the views of a snapshot take until {@code goOn}, deaf to everything, and waits until they have begun. */
+    private void stickInTheViews(Snapshot snapshot, CountDownLatch goOn) throws InterruptedException {
+        CountDownLatch begun = new CountDownLatch(1);
+        whileViewing.put(snapshot.scene(), () -> {
+            begun.countDown();
+            boolean over = false;
+            while (!over) {
+                try {
+                    over = goOn.await(20, TimeUnit.SECONDS);
+                } catch (InterruptedException e) {
+                    assertFalse(over);
+                }
+            }
+        });
+        request(snapshot);
+        assertEquals(snapshot, next().snapshot());
+        assertTrue(begun.await(20, TimeUnit.SECONDS));
+    }
+
+    @Test
+    void anotherSceneIsPlannedThoughTheOldOneIsStuck() throws InterruptedException {
+        begin(FOREVER);
+        CountDownLatch goOn = new CountDownLatch(1);
+        stickInTheViews(snapshot(1, 0), goOn);
+        request(snapshot(2, 0));
+        assertEquals(2, next().snapshot().version().revision());
+        goOn.countDown();
+        Plan plan = next();
+        while (plan.why().isEmpty()) {
+            assertEquals(2, plan.snapshot().version().revision());
+            plan = next();
+        }
+    }
+
+    @Test
+    void cancelEndsWorkThatIsStuckAndTheSameSceneCanBePlannedAgain() throws InterruptedException {
+        begin(FOREVER);
+        CountDownLatch goOn = new CountDownLatch(1);
+        Snapshot stuck = snapshot(1, 0);
+        stickInTheViews(stuck, goOn);
+        works.clear();
+        planner.cancel();
+        assertEquals(Work.IDLE, works.poll(20, TimeUnit.SECONDS));
+        whileViewing.clear();
+        Snapshot again = new Snapshot(stuck.version(), stuck.scene(), stuck.task());
+        request(again);
+        Plan plan = next();
+        assertSame(again, plan.snapshot());
+        goOn.countDown();
+        while (plan.why().isEmpty()) {
+            plan = next();
+            assertSame(again, plan.snapshot(), "what was left behind is not told");
+        }
     }
 
     @Test
