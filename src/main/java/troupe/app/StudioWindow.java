@@ -17,6 +17,7 @@ import javax.swing.JFrame;
 import javax.swing.JLayeredPane;
 import javax.swing.JPanel;
 import javax.swing.JSplitPane;
+import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import javax.swing.WindowConstants;
 import troupe.app.canvas.Canvas;
@@ -52,6 +53,7 @@ final class StudioWindow {
     private final Executor eventThread;
     private final JFrame frame = new JFrame();
     private final Timer clock;
+    private final PlayKey playKey;
     private long ticked;
     private Look look;
     private Content content;
@@ -89,6 +91,10 @@ final class StudioWindow {
         });
         session.playback().listeners().add(this::runClock);
         build();
+        playKey = new PlayKey(
+                        focused -> SwingUtilities.getWindowAncestor(focused) == frame,
+                        () -> content.commands().get("play").perform())
+                .install();
     }
 
     /** Opens the window, as large as the screen allows up to 1440 by 900. */
@@ -308,6 +314,7 @@ final class StudioWindow {
     /** Closes the window and the session. */
     void dispose() {
         clock.stop();
+        playKey.close();
         dispose(content);
         session.close();
         frame.dispose();

@@ -101,9 +101,10 @@ public final class Legend {
         } else if (overlay instanceof Overlay.Points) {
             entries.add(new Entry(g -> OverlayPainter.paintPoint(g, theme, 6, 0), 12, name));
         } else if (overlay instanceof Overlay.Field f && f.scale() instanceof Overlay.Continuous c) {
-            String each = c.contour() > 0 ? ", every " + number(c.contour()) + " " + c.unit() : "";
+            String each =
+                    c.contour() > 0 ? ", " + words.apply("every") + " " + number(c.contour()) + " " + c.unit() : "";
             if (filled || c.contour() <= 0) {
-                entries.add(bar(theme, c, name));
+                entries.add(bar(theme, c, name, words));
                 if (c.contour() > 0) {
                     entries.add(line(theme.color(Tone.TEXT, 0.45), Theme.line(1), each.substring(2)));
                 }
@@ -145,10 +146,10 @@ public final class Legend {
         return used;
     }
 
-    private static Entry bar(Theme theme, Overlay.Continuous scale, String name) {
+    private static Entry bar(Theme theme, Overlay.Continuous scale, String name, UnaryOperator<String> words) {
         ColourMap map = new ColourMap(theme);
         String unit = scale.unit().isEmpty() ? "" : " " + scale.unit();
-        String text = name + ", " + number(scale.min()) + " to " + number(scale.max()) + unit;
+        String text = name + ", " + number(scale.min()) + " " + words.apply("to") + " " + number(scale.max()) + unit;
         BufferedImage colours = new BufferedImage(BAR, 1, BufferedImage.TYPE_INT_ARGB);
         for (int x = 0; x < BAR; x++) {
             colours.setRGB(x, 0, map.argb(x / (BAR - 1.0)));

@@ -38,7 +38,7 @@ import troupe.scene.World;
 
 /**
  * Shows the scene from above, what the planner found, and what the tool does. Zooms at the pointer with
- * the wheel; pans with the middle button, or with the space key held. Belongs to the event thread.
+ * the wheel; pans with the middle button. Belongs to the event thread.
  */
 public final class Canvas extends Drawn implements AutoCloseable {
     private static final int MARGIN = 24;

@@ -1,9 +1,6 @@
 package troupe.app.canvas;
 
 import java.awt.event.ActionEvent;
-import java.awt.event.FocusAdapter;
-import java.awt.event.FocusEvent;
-import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
@@ -19,7 +16,6 @@ final class CanvasMouse extends MouseAdapter {
 
     private final Canvas canvas;
     private final PanTool pan;
-    private boolean space;
     private Tool working;
     private int button;
 
@@ -29,22 +25,11 @@ final class CanvasMouse extends MouseAdapter {
         canvas.addMouseListener(this);
         canvas.addMouseMotionListener(this);
         canvas.addMouseWheelListener(this);
-        key("pressed SPACE", () -> space = true);
-        key("released SPACE", () -> space = false);
         key("ESCAPE", this::escape);
-        canvas.addFocusListener(new FocusAdapter() {
-            @Override
-            public void focusLost(FocusEvent event) {
-                space = false;
-            }
-        });
     }
 
     private void key(String stroke, Runnable action) {
-        KeyStroke key = stroke.contains(" ")
-                ? KeyStroke.getKeyStroke(KeyEvent.VK_SPACE, 0, stroke.startsWith("released"))
-                : KeyStroke.getKeyStroke(stroke);
-        canvas.getInputMap().put(key, stroke);
+        canvas.getInputMap().put(KeyStroke.getKeyStroke(stroke), stroke);
         canvas.getActionMap().put(stroke, new AbstractAction() {
             @Override
             public void actionPerformed(ActionEvent event) {
@@ -78,7 +63,7 @@ final class CanvasMouse extends MouseAdapter {
         if (working != null) {
             return;
         }
-        if (SwingUtilities.isMiddleMouseButton(event) || space && SwingUtilities.isLeftMouseButton(event)) {
+        if (SwingUtilities.isMiddleMouseButton(event)) {
             working = pan;
         } else if (SwingUtilities.isLeftMouseButton(event)) {
             working = canvas.tool();
@@ -111,7 +96,7 @@ final class CanvasMouse extends MouseAdapter {
 
     @Override
     public void mouseMoved(MouseEvent event) {
-        Tool tool = space ? pan : canvas.tool();
+        Tool tool = canvas.tool();
         if (tool != null) {
             canvas.setCursor(tool.cursor(pointer(event)));
         }

@@ -121,6 +121,9 @@ final class Painters implements AutoCloseable {
     }
 
     private String word(String key) {
+        if (key.startsWith("layer ")) {
+            return look.texts().format("legend.layer", key.substring("layer ".length()));
+        }
         return look.texts().get("legend." + key, look.texts().get("word." + key, key.replace('-', ' ')));
     }
 

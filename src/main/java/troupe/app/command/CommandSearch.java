@@ -35,7 +35,19 @@ public final class CommandSearch extends JPanel {
     private final transient Runnable close;
     private final JTextField query = new JTextField();
     private final DefaultListModel<Command> found = new DefaultListModel<>();
-    private final JList<Command> list = new JList<>(found);
+    private final JList<Command> list = new JList<>(found) {
+        @Override
+        protected void paintComponent(Graphics graphics) {
+            super.paintComponent(graphics);
+            if (found.isEmpty()) {
+                Graphics2D g = Look.smooth(graphics);
+                g.setFont(look.font());
+                g.setColor(look.color(Tone.DIM));
+                g.drawString(look.text("search.none"), 10, ROW / 2 + 4);
+                g.dispose();
+            }
+        }
+    };
 
     /** Makes the search; {@code close} takes it off the window. */
     public CommandSearch(Look look, Commands commands, Runnable close) {
@@ -91,6 +103,8 @@ public final class CommandSearch extends JPanel {
     private void find() {
         found.clear();
         found.addAll(commands.search(query.getText()));
+        list.getAccessibleContext().setAccessibleName(look.text(found.isEmpty() ? "search.none" : "command.search"));
+        list.repaint();
         list.setSelectedIndex(0);
     }
 

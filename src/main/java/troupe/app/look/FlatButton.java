@@ -49,6 +49,7 @@ public final class FlatButton extends JToggleButton {
         setFocusPainted(false);
         setOpaque(false);
         setRolloverEnabled(true);
+        setRequestFocusEnabled(false); // a click leaves the keys with what is worked on
         setMargin(new Insets(0, 0, 0, 0));
     }
 

@@ -91,7 +91,7 @@ public final class ChipBar extends Panel {
 
     /** Puts as many chips into the bar as fit, and the rest behind the last one. */
     private void arrange() {
-        int room = getWidth() - more.getPreferredSize().width - 2 * GAP;
+        int room = getWidth() - getInsets().left - getInsets().right - more.getPreferredSize().width - 2 * GAP;
         int fit = 0;
         int used = 0;
         for (FlatButton chip : chips.values()) {

@@ -88,8 +88,16 @@ record OutlineRow(
                     Views.Layer layer = layers.get(i);
                     boolean ground = layer.on().isEmpty();
                     String name = ground ? look.text("outline.ground") : name(session, layer.on());
+                    long same = rows.stream()
+                            .filter(row ->
+                                    row.kind() == Kind.LAYER && row.name().matches("\\Q" + name + "\\E( \\d+)?"))
+                            .count();
                     int stands = layers.size() == 1 ? OverlayChoice.ALL_LAYERS : i;
-                    rows.add(layer(name, range(layer), look.color(ground ? Tone.FLOOR : Tone.DECK), stands));
+                    rows.add(layer(
+                            same == 0 ? name : name + +(same + 1),
+                            range(layer),
+                            look.color(ground ? Tone.FLOOR : Tone.DECK),
+                            stands));
                 });
     }
 
@@ -173,8 +181,9 @@ record OutlineRow(
         for (Problem problem : problems) {
             Tone tone = problem.severity() == Severity.ERROR ? Tone.MOVE : Tone.VAULT;
             List<String> ids = problem.element().isEmpty() ? List.of() : List.of(problem.element());
-            String hint = problem.message() + " " + problem.cure();
-            rows.add(new OutlineRow(Kind.PROBLEM, ids, problem.message(), "", look.color(tone), true, 0, hint));
+            String hint = problem.describe();
+            String name = ids.isEmpty() ? problem.message() : problem.element() + ": " + problem.message();
+            rows.add(new OutlineRow(Kind.PROBLEM, ids, name, "", look.color(tone), true, 0, hint));
         }
     }
 

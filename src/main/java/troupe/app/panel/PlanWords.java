@@ -4,9 +4,11 @@ import java.util.Locale;
 import java.util.StringJoiner;
 import troupe.app.document.SceneEdits;
 import troupe.app.look.Texts;
+import troupe.app.plan.Plan;
 import troupe.run.Run;
 import troupe.scene.Ability;
 import troupe.scene.Journey;
+import troupe.scene.Severity;
 import troupe.search.Outcome;
 import troupe.work.Explanation;
 import troupe.work.Flip;
@@ -21,9 +23,31 @@ final class PlanWords {
             String reason = infeasible.reason();
             return reason.isEmpty()
                     ? texts.get("outcome.infeasible")
-                    : reason.substring(0, 1).toUpperCase(Locale.ROOT) + reason.substring(1);
+                    : texts.format(
+                            "outcome.infeasible.because",
+                            reason.substring(0, 1).toUpperCase(Locale.ROOT) + reason.substring(1));
         }
         return texts.get("outcome." + outcome.word());
+    }
+
+    /** Returns how many errors keep a scene from being planned. */
+    static long errors(Plan plan) {
+        return plan.problems().stream()
+                .filter(p -> p.severity() == Severity.ERROR)
+                .count();
+    }
+
+    /** Returns how many errors there are, and the first with its element and its cure. */
+    static String firstError(Plan plan, Texts texts) {
+        return texts.format(
+                "problem.first", errors(plan), plan.problems().get(0).describe());
+    }
+
+    /** Returns every error with its element and its cure, an empty line between them. */
+    static String allErrors(Plan plan) {
+        StringJoiner lines = new StringJoiner("\n\n");
+        plan.problems().stream().filter(p -> p.severity() == Severity.ERROR).forEach(p -> lines.add(p.describe()));
+        return lines.toString();
     }
 
     /** Returns a sentence for each ability that a plan gives up at some preference, a line each; may be none. */

@@ -76,6 +76,7 @@ final class PreferencesSection extends Panel {
             shown = now;
             build(name, abilities);
         }
+        setVisible(actor.isPresent());
         journey.ifPresent(j -> show(j.preferences()));
     }
 

@@ -180,11 +180,9 @@ public final class StatusBar extends Panel {
 
     private void show(Plan plan) {
         if (plan.run().isEmpty()) {
-            state = plan.problems().isEmpty() ? Tone.DIM : Tone.MOVE;
-            String text = plan.problems().isEmpty()
-                    ? look().text("status.notask")
-                    : plan.problems().get(0).message();
-            happened(text, "");
+            boolean wrong = PlanWords.errors(plan) > 0;
+            state = wrong ? Tone.MOVE : Tone.DIM;
+            happened(wrong ? PlanWords.firstError(plan, look().texts()) : look().text("status.notask"), "");
         } else {
             show(plan, plan.run().get());
         }

@@ -42,9 +42,13 @@ final class WhySection extends Panel {
         Rows rows = new Rows(this, look());
         Optional<Run> run = session().run();
         boolean found = run.isEmpty() || run.get().outcome().isFound();
-        rows.heading(look().text(found ? "inspector.why" : "inspector.why.not"));
-        if (run.isEmpty()) {
-            rows.wide(look().label(look().text("why.nothing"), Tone.DIM), 0);
+        Optional<Plan> unplanned = session().plan().filter(plan -> plan.run().isEmpty());
+        boolean wrong = unplanned.isPresent() && PlanWords.errors(unplanned.get()) > 0;
+        rows.heading(look().text(wrong ? "inspector.wrong" : found ? "inspector.why" : "inspector.why.not"));
+        if (wrong) {
+            rows.wide(new Note(PlanWords.allErrors(unplanned.get())), 0);
+        } else if (run.isEmpty()) {
+            rows.wide(look().label(look().text(unplanned.isPresent() ? "status.notask" : "why.nothing"), Tone.DIM), 0);
         } else if (!found) {
             rows.wide(new Note(PlanWords.outcome(run.get().outcome(), look().texts())), 0);
         } else {

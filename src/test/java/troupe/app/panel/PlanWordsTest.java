@@ -4,12 +4,22 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import troupe.app.Scenes;
+import troupe.app.document.Version;
 import troupe.app.look.Texts;
+import troupe.app.plan.Plan;
+import troupe.app.plan.Snapshot;
+import troupe.app.plan.Views;
+import troupe.scene.Problem;
 import troupe.scene.Scene;
 import troupe.scene.SceneException;
 import troupe.scene.SceneXml;
+import troupe.scene.Severity;
+import troupe.search.Outcome;
 import troupe.work.Explainer;
 import troupe.work.Explanation;
 import troupe.work.Tasks;
@@ -41,6 +51,32 @@ class PlanWordsTest {
         assertEquals(
                 "若側行的代價變為 5.1 倍，" + actor + " 就會改為翻越。",
                 PlanWords.flips(apartment, new Texts(Locale.TRADITIONAL_CHINESE)));
+    }
+
+    @Test
+    void namesTheElementTheMistakeAndItsCure() {
+        Problem twisted = new Problem(Severity.ERROR, "crate", 0, "is twisted", "untwist it");
+        Problem twice = new Problem(Severity.ERROR, "ann", 0, "is there twice", "rename one");
+        Problem mild = new Problem(Severity.WARNING, "ann", 0, "is slow", "");
+        Snapshot snapshot = new Snapshot(new Version(1, 0), Scenes.room(), "there");
+        Plan plan =
+                new Plan(snapshot, Optional.empty(), List.of(twisted, twice, mild), Views.NONE, Optional.empty(), 1);
+        assertEquals(2, PlanWords.errors(plan));
+        assertEquals(
+                "Not planned, errors: 2. First: 'crate' is twisted; untwist it",
+                PlanWords.firstError(plan, new Texts(Locale.ENGLISH)));
+        assertEquals(
+                "未規劃，共 2 個錯誤，首項：'crate' is twisted; untwist it",
+                PlanWords.firstError(plan, new Texts(Locale.TRADITIONAL_CHINESE)));
+        assertEquals("'crate' is twisted; untwist it\n\n'ann' is there twice; rename one", PlanWords.allErrors(plan));
+    }
+
+    @Test
+    void aReasonFollowsALeadInThePersonsLanguage() {
+        Outcome outcome = new Outcome.Infeasible("the goal is in 'Wall'");
+        assertEquals("The goal is in 'Wall'", PlanWords.outcome(outcome, new Texts(Locale.ENGLISH)));
+        assertEquals(
+                "無路可走，規劃器的說明：The goal is in 'Wall'", PlanWords.outcome(outcome, new Texts(Locale.TRADITIONAL_CHINESE)));
     }
 
     @Test
