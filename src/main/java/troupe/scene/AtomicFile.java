@@ -5,8 +5,10 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.channels.Channels;
 import java.nio.channels.FileChannel;
+import java.nio.file.AccessDeniedException;
 import java.nio.file.AtomicMoveNotSupportedException;
 import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
@@ -55,6 +57,17 @@ public final class AtomicFile {
                 return;
             } catch (FileAlreadyExistsException e) {
                 // another writer is at work on the same target, or was cut off: take the next name
+            } catch (AccessDeniedException e) {
+                if (e.getFile() == null || !e.getFile().equals(part.toString())) {
+                    throw e;
+                }
+                throw new IOException(target + " cannot be written: no right to write to " + file.getParent(), e);
+            } catch (FileSystemException e) {
+                if (e.getFile() == null || !e.getFile().equals(part.toString())) {
+                    throw e;
+                }
+                String reason = e.getReason() == null ? "no file can be made there" : e.getReason();
+                throw new IOException(target + " cannot be written to " + file.getParent() + ": " + reason, e);
             }
         }
         throw new IOException("too many unfinished files beside " + target + "; delete those that end in .part");
