@@ -52,7 +52,9 @@ public final class Settings {
         try {
             return known.setter().set(scene, journey, value);
         } catch (IllegalArgumentException | ArithmeticException e) {
-            throw new IllegalArgumentException(key + "=" + value + ": " + e.getMessage(), e);
+            String setting = key + "=" + value;
+            String reason = String.valueOf(e.getMessage());
+            throw new IllegalArgumentException(reason.startsWith(setting) ? reason : setting + ": " + reason, e);
         }
     }
 
