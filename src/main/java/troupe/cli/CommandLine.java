@@ -1,12 +1,14 @@
 package troupe.cli;
 
 import java.io.IOException;
+import java.io.InterruptedIOException;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
 import java.util.List;
 import troupe.exchange.ExchangeException;
 import troupe.run.RunException;
+import troupe.run.RunFile;
 import troupe.scene.SceneException;
 
 /** Finds the command that was typed, runs it, and turns what goes wrong into one line and an exit code. */
@@ -19,6 +21,9 @@ final class CommandLine {
     static final int BAD_INPUT = 3;
     static final int FAULT = 4;
 
+    /** What a shell gives a process that Ctrl-C ended. */
+    static final int INTERRUPTED = 130;
+
     private final List<Command> commands;
     private final Command standard;
 
@@ -30,6 +35,15 @@ final class CommandLine {
 
     /** Runs what was typed and returns the exit code. */
     int run(List<String> typed, Terminal terminal) {
+        int code = typed(typed, terminal);
+        if (terminal.out().checkError() && code != BAD_USE) {
+            terminal.say("standard output cannot be written; what was to go there is lost");
+            return BAD_INPUT;
+        }
+        return code;
+    }
+
+    private int typed(List<String> typed, Terminal terminal) {
         try {
             if (typed.isEmpty()) {
                 return standard.run(Arguments.parse(standard, List.of()), terminal);
@@ -37,6 +51,10 @@ final class CommandLine {
             String word = typed.get(0);
             if (List.of("help", "--help", "-h").contains(word)) {
                 Help.all(commands, terminal.out());
+                return OK;
+            }
+            if (List.of("--version", "-V").contains(word)) {
+                terminal.out().println("Troupe " + RunFile.program());
                 return OK;
             }
             return run(find(word), typed.subList(1, typed.size()), terminal);
@@ -47,6 +65,9 @@ final class CommandLine {
         } catch (SceneException | RunException | ExchangeException e) {
             terminal.say(e.getMessage());
             return BAD_INPUT;
+        } catch (InterruptedIOException e) {
+            terminal.say(e.getMessage());
+            return INTERRUPTED;
         } catch (IOException e) {
             terminal.say(line(e));
             return BAD_INPUT;

@@ -1,7 +1,6 @@
 package troupe.cli;
 
 import java.io.IOException;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -39,7 +38,7 @@ final class ExportCommand implements Command {
         return List.of(
                 Option.of("--format", "F", "the format, see below; without it the one that FILE's ending names"),
                 Option.of("-o", "FILE", "where to write, - for standard output"),
-                Option.of("--at", "T", "the time in seconds of a single picture; without it the start"),
+                Option.of("--at", "T", "the time in seconds of a single picture; without it the end"),
                 Option.of("--width", "N", "width of a picture in pixels"),
                 Option.of("--rate", "N", "pictures for each second of an animation"),
                 Option.of("--show", "A,B,C", "views to lay over the scene in pictures, as in troupe fields"),
@@ -58,13 +57,18 @@ final class ExportCommand implements Command {
     @Override
     public int run(Arguments arguments, Terminal terminal)
             throws UsageException, RunException, ExchangeException, IOException {
-        Path file = Arguments.input(arguments.only("FILE.run"));
         String target = arguments.needed("-o", "FILE");
         Exporter exporter = exporter(arguments, target);
-        ExportSettings settings = settings(arguments);
-        Run run = RunFile.read(file);
-        Pictures.export(exporter, run, settings.with(views(run, arguments)), target, terminal);
+        try (InputFile file = InputFile.of(arguments.only("FILE.run"), terminal)) {
+            export(RunFile.read(file.path()), exporter, target, arguments, terminal);
+        }
         return CommandLine.OK;
+    }
+
+    private static void export(Run run, Exporter exporter, String target, Arguments arguments, Terminal terminal)
+            throws UsageException, ExchangeException, IOException {
+        ExportSettings settled = settings(run, arguments).until(terminal.interrupted());
+        Pictures.export(exporter, run, settled.with(views(run, arguments, terminal)), target, terminal);
     }
 
     private static Exporter exporter(Arguments arguments, String target) throws UsageException {
@@ -83,17 +87,20 @@ final class ExportCommand implements Command {
                                 Formats.exporters().stream().map(Exporter::name).toList())));
     }
 
-    private static List<Overlay> views(Run run, Arguments arguments) throws UsageException {
+    private static List<Overlay> views(Run run, Arguments arguments, Terminal terminal)
+            throws UsageException, IOException {
         if (!arguments.has("--show")) {
             return List.of();
         }
-        return Fields.of(run.scene(), run.task(), FieldsCommand.keys(arguments)).overlays().stream()
+        return Fields.of(run.scene(), run.task(), FieldsCommand.keys(arguments), terminal.interrupted())
+                .overlays()
+                .stream()
                 .flatMap(List::stream)
                 .toList();
     }
 
-    private static ExportSettings settings(Arguments arguments) throws UsageException {
-        ExportSettings settings = ExportSettings.DEFAULT;
+    private static ExportSettings settings(Run run, Arguments arguments) throws UsageException {
+        ExportSettings settings = ExportSettings.DEFAULT.at(run.frames().duration());
         try {
             Optional<Double> at = arguments.number("--at");
             Optional<Long> width = arguments.whole("--width", 1, Integer.MAX_VALUE);

@@ -1,6 +1,8 @@
 package troupe.cli;
 
 import java.io.IOException;
+import java.io.InterruptedIOException;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -24,7 +26,7 @@ final class FieldsCommand implements Command {
 
     @Override
     public String usage() {
-        return "SCENE --show layers,region,class,clearance,skeleton,potential,... -o DIR [--task ID]";
+        return "SCENE [--show A,B,C] -o DIR [--width N] [--task ID] [--set KEY=VALUE]...";
     }
 
     @Override
@@ -64,14 +66,20 @@ final class FieldsCommand implements Command {
         }
         Fields fields;
         try {
-            fields = Fields.of(scene, task, keys);
+            fields = Fields.of(scene, task, keys, terminal.interrupted());
         } catch (GridLimitException tooMuch) {
             terminal.say(tooMuch.getMessage());
             return CommandLine.FAILED;
         }
+        if (Files.exists(folder) && !Files.isDirectory(folder)) {
+            throw new FileSystemException(folder.toString(), null, "is a file; -o needs a folder");
+        }
         Files.createDirectories(folder);
         for (List<Overlay> shown : fields.overlays()) {
             Overlay first = shown.get(0);
+            if (terminal.interrupted().getAsBoolean()) {
+                throw new InterruptedIOException("interrupted; the pictures named above are whole");
+            }
             Path file = folder.resolve(first.key() + "-" + (first.layer() + 1) + ".png");
             Fields.draw(scene, task, shown, width, file);
             terminal.out().println(file);

@@ -19,7 +19,9 @@ final class Help {
         }
         out.println();
         out.println("troupe COMMAND --help tells more. Results go to standard output, messages to standard error.");
-        out.println("Exit code: 0 success, 1 no solution or failed check, 2 bad use, 3 bad input.");
+        out.println("troupe --version tells the version.");
+        out.println("Exit code: 0 success, 1 no solution or failed check, 2 bad use, 3 bad input or output,");
+        out.println("130 ended by Ctrl-C.");
     }
 
     /** Prints the help of one command. */

@@ -10,6 +10,7 @@ import troupe.exchange.Formats;
 import troupe.exchange.Importer;
 import troupe.scene.Scene;
 import troupe.scene.SceneXml;
+import troupe.work.SceneInspection;
 
 /** Makes a scene of another program's file. */
 final class ImportCommand implements Command {
@@ -47,10 +48,16 @@ final class ImportCommand implements Command {
 
     @Override
     public int run(Arguments arguments, Terminal terminal) throws UsageException, ExchangeException, IOException {
-        Path file = Arguments.input(arguments.only("FILE"));
-        arguments.needed("-o", "SCENE.xml");
-        Scene scene = importer(arguments, file).read(file);
+        String target = arguments.needed("-o", "SCENE.xml");
+        Scene scene;
+        try (InputFile file = InputFile.of(arguments.only("FILE"), terminal)) {
+            scene = importer(arguments, file.path()).read(file.path());
+        }
         Output.write(arguments, terminal, out -> out.print(SceneXml.write(scene)));
+        if (scene.tasks().isEmpty()) {
+            terminal.say("the scene has no task yet; " + SceneInspection.addTask(scene)
+                    + (target.equals("-") ? "" : ", then: troupe run " + target));
+        }
         return CommandLine.OK;
     }
 

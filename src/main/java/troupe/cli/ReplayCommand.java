@@ -1,7 +1,6 @@
 package troupe.cli;
 
 import java.io.IOException;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import troupe.exchange.ExchangeException;
@@ -20,7 +19,7 @@ final class ReplayCommand implements Command {
 
     @Override
     public String usage() {
-        return "FILE.run [--verify] [--at T --png FILE]";
+        return "FILE.run [--verify] [--at T --png FILE] [--json]";
     }
 
     @Override
@@ -40,12 +39,17 @@ final class ReplayCommand implements Command {
     @Override
     public int run(Arguments arguments, Terminal terminal)
             throws UsageException, RunException, ExchangeException, IOException {
-        Path file = Arguments.input(arguments.only("FILE.run"));
         Optional<Double> at = arguments.number("--at");
         if (at.isPresent() && !arguments.has("--png")) {
             throw new UsageException("--at says what --png shows, and --png is missing");
         }
-        Run run = RunFile.read(file);
+        try (InputFile file = InputFile.of(arguments.only("FILE.run"), terminal)) {
+            return show(RunFile.read(file.path()), at, arguments, terminal);
+        }
+    }
+
+    private static int show(Run run, Optional<Double> at, Arguments arguments, Terminal terminal)
+            throws UsageException, ExchangeException, IOException {
         if (arguments.has("--png")) {
             double time = at.orElse(run.frames().duration());
             Pictures.write(run, time, arguments.needed("--png", "FILE"), terminal);

@@ -1,6 +1,7 @@
 package troupe.cli;
 
 import java.io.IOException;
+import java.util.ArrayList;
 import java.util.List;
 import troupe.scene.Problem;
 import troupe.scene.Scene;
@@ -10,6 +11,7 @@ import troupe.scene.SceneSource;
 import troupe.scene.SceneXml;
 import troupe.scene.Settings;
 import troupe.scene.Severity;
+import troupe.work.SceneInspection;
 import troupe.work.Tasks;
 
 /** Reads scenes for commands and applies what the command line sets. */
@@ -43,16 +45,17 @@ final class SceneFiles {
     }
 
     /** Returns the id of the task that is meant. */
-    static String task(Scene scene, Arguments arguments, Terminal terminal) throws UsageException {
+    static String task(Scene scene, Arguments arguments, Terminal terminal) throws UsageException, SceneException {
         if (scene.tasks().isEmpty()) {
-            throw new UsageException("the scene has no task to plan");
+            throw new SceneException(
+                    arguments.only("SCENE"), 0, "the scene has no task to plan", SceneInspection.addTask(scene));
         }
         String first = scene.tasks().get(0).id();
         String id = arguments.value(TASK.name()).orElse(first);
         if (scene.task(id).isEmpty()) {
             throw new UsageException("unknown task '" + id + "'; the scene has " + Tasks.ids(scene));
         }
-        if (!arguments.has(TASK.name()) && scene.tasks().size() > 1) {
+        if (!arguments.has(TASK.name()) && scene.tasks().size() > 1 && !arguments.has("--quiet")) {
             terminal.say("task '" + id + "' of " + Tasks.ids(scene));
         }
         return id;
@@ -68,7 +71,36 @@ final class SceneFiles {
             }
             changed = set(changed, task, setting.substring(0, equals), setting.substring(equals + 1));
         }
+        if (changed != scene) {
+            refuse(scene, changed, task, arguments);
+        }
         return changed;
+    }
+
+    /** Refuses settings that make an error of a scene: the file is not to blame for it. */
+    private static void refuse(Scene scene, Scene changed, String task, Arguments arguments) throws UsageException {
+        List<String> before = errors(scene);
+        List<String> errors = new ArrayList<>(errors(changed));
+        errors.removeAll(before);
+        if (errors.isEmpty()) {
+            return;
+        }
+        Scene partly = scene;
+        for (String setting : arguments.all(SET.name())) {
+            int equals = setting.indexOf('=');
+            partly = set(partly, task, setting.substring(0, equals), setting.substring(equals + 1));
+            if (errors(partly).contains(errors.get(0))) {
+                throw new UsageException("--set " + setting + ": " + errors.get(0));
+            }
+        }
+        throw new UsageException("--set: " + errors.get(0));
+    }
+
+    private static List<String> errors(Scene scene) {
+        return SceneChecks.check(scene).stream()
+                .filter(p -> p.severity() == Severity.ERROR)
+                .map(p -> line(p).replaceFirst("^: error: ", ""))
+                .toList();
     }
 
     /** Returns the scene with one setting changed. */

@@ -42,6 +42,7 @@ public final class CsvExport implements StreamExporter {
         check(run, tracks);
         out.write(HEADER.getBytes(StandardCharsets.UTF_8));
         for (int frame = 0; frame < frames.count(); frame++) {
+            settings.proceed();
             StringBuilder rows = new StringBuilder();
             for (Track track : tracks) {
                 double degrees = Math.toDegrees(Math.IEEEremainder(track.headingRad(frame), 2 * Math.PI));

@@ -1,7 +1,9 @@
 package troupe.exchange;
 
 import java.awt.Dimension;
+import java.io.InterruptedIOException;
 import java.util.List;
+import java.util.function.BooleanSupplier;
 import troupe.paint.Picture;
 import troupe.paint.Theme;
 import troupe.run.Overlay;
@@ -15,11 +17,19 @@ import troupe.run.Run;
  * @param density pixels of the image for each pixel of the layout, from 1 to 4
  * @param rate pictures for each second of an animation, above 0 and at most 50
  * @param overlays views to lay over the scene
+ * @param stopped tells whether the export is to end early and leave nothing
  */
-public record ExportSettings(double time, int width, double density, double rate, Theme theme, List<Overlay> overlays) {
+public record ExportSettings(
+        double time,
+        int width,
+        double density,
+        double rate,
+        Theme theme,
+        List<Overlay> overlays,
+        BooleanSupplier stopped) {
 
     /** The start of the run, 900 pixels wide, light, 10 pictures a second. */
-    public static final ExportSettings DEFAULT = new ExportSettings(0, 900, 1, 10, Theme.LIGHT, List.of());
+    public static final ExportSettings DEFAULT = new ExportSettings(0, 900, 1, 10, Theme.LIGHT, List.of(), () -> false);
 
     /**
      * Checks the numbers and copies the overlays.
@@ -44,27 +54,43 @@ public record ExportSettings(double time, int width, double density, double rate
 
     /** Returns these settings for another instant. */
     public ExportSettings at(double seconds) {
-        return new ExportSettings(seconds, width, density, rate, theme, overlays);
+        return new ExportSettings(seconds, width, density, rate, theme, overlays, stopped);
     }
 
     /** Returns these settings for another width in pixels. */
     public ExportSettings wide(int pixels) {
-        return new ExportSettings(time, pixels, density, rate, theme, overlays);
+        return new ExportSettings(time, pixels, density, rate, theme, overlays, stopped);
     }
 
     /** Returns these settings for another theme. */
     public ExportSettings in(Theme other) {
-        return new ExportSettings(time, width, density, rate, other, overlays);
+        return new ExportSettings(time, width, density, rate, other, overlays, stopped);
     }
 
     /** Returns these settings for another number of pictures a second. */
     public ExportSettings every(double perSecond) {
-        return new ExportSettings(time, width, density, perSecond, theme, overlays);
+        return new ExportSettings(time, width, density, perSecond, theme, overlays, stopped);
     }
 
     /** Returns these settings with other overlays. */
     public ExportSettings with(List<Overlay> others) {
-        return new ExportSettings(time, width, density, rate, theme, others);
+        return new ExportSettings(time, width, density, rate, theme, others, stopped);
+    }
+
+    /** Returns these settings for an export that ends as soon as {@code ended} tells so; any thread may set it. */
+    public ExportSettings until(BooleanSupplier ended) {
+        return new ExportSettings(time, width, density, rate, theme, overlays, ended);
+    }
+
+    /**
+     * Goes on, unless the export is to end; an exporter asks before each picture.
+     *
+     * @throws InterruptedIOException if it is to end
+     */
+    void proceed() throws InterruptedIOException {
+        if (stopped.getAsBoolean()) {
+            throw new InterruptedIOException("interrupted; nothing was written");
+        }
     }
 
     /**

@@ -53,6 +53,7 @@ public final class GifExport implements StreamExporter {
             throw new ExchangeException(
                     "animation", 0, 0, first.getWidth() + " x " + first.getHeight() + " pixels", "lower the width");
         }
+        settings.proceed();
         Palette palette = new Palette(first, animation.image(run.frames().duration() / 2));
         ImageWriter writer = ImageIO.getImageWritersByFormatName("gif").next();
         try (MemoryCacheImageOutputStream sink = new MemoryCacheImageOutputStream(out)) {
@@ -60,6 +61,7 @@ public final class GifExport implements StreamExporter {
             writer.prepareWriteSequence(null);
             BufferedImage before = null;
             for (int k = 0; k < instants.length; k++) {
+                settings.proceed();
                 BufferedImage now = palette.indexed(animation.image(instants[k]));
                 int delay = k + 1 < instants.length
                         ? (int) (Math.round(100 * instants[k + 1]) - Math.round(100 * instants[k]))

@@ -30,6 +30,7 @@ public final class ImageExport implements StreamExporter {
 
     @Override
     public void write(Run run, ExportSettings settings, OutputStream out) throws IOException, ExchangeException {
+        settings.proceed();
         write(settings.picture(run).image(settings.width(), settings.density()), out);
     }
 

@@ -1,6 +1,8 @@
 package troupe.exchange;
 
 import java.io.IOException;
+import java.io.InterruptedIOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import troupe.paint.Animation;
@@ -32,9 +34,19 @@ public final class ImagesExport implements Exporter {
     public void write(Run run, ExportSettings settings, Path target) throws IOException, ExchangeException {
         double[] instants = Instants.of(run, settings);
         Animation animation = new Animation(settings.picture(run), settings.width(), settings.density());
-        for (int k = 0; k < instants.length; k++) {
-            double time = instants[k];
-            AtomicFile.write(numbered(target, k), out -> ImageExport.write(animation.image(time), out));
+        int done = 0;
+        try {
+            for (double time : instants) {
+                settings.proceed();
+                AtomicFile.write(numbered(target, done), out -> ImageExport.write(animation.image(time), out));
+                done++;
+            }
+        } catch (InterruptedIOException e) {
+            // half a film is of no use
+            for (int k = 0; k < done; k++) {
+                Files.deleteIfExists(numbered(target, k));
+            }
+            throw e;
         }
     }
 

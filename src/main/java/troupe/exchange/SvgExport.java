@@ -31,6 +31,7 @@ public final class SvgExport implements StreamExporter {
 
     @Override
     public void write(Run run, ExportSettings settings, OutputStream out) throws IOException, ExchangeException {
+        settings.proceed();
         out.write(document(settings.picture(run), settings.width()).getBytes(StandardCharsets.UTF_8));
     }
 

@@ -98,6 +98,11 @@ public final class GridOverlays {
         };
     }
 
+    /** Returns the storey that a layer is shown in. */
+    public int storey(int layer) {
+        return storeys.of(layer);
+    }
+
     /** Returns which cells each layer covers. */
     public List<Overlay> layers() {
         List<String> words =

@@ -111,7 +111,8 @@ public final class RunFile {
         zip.closeEntry();
     }
 
-    private static String program() {
+    /** Returns the version of this program as run files name it. */
+    public static String program() {
         String version = RunFile.class.getPackage().getImplementationVersion();
         return version == null ? "unreleased" : version;
     }

@@ -1,11 +1,13 @@
 package troupe.work;
 
 import java.io.IOException;
+import java.io.InterruptedIOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 import troupe.exchange.ExchangeException;
@@ -36,30 +38,53 @@ public final class Fields {
     /** How long a stage took; {@code millis} is wall time. */
     public record Stage(String name, double millis) {}
 
+    private static final long SLICE = 5_000;
+
     private final List<List<Overlay>> overlays = new ArrayList<>();
     private final List<Stage> stages = new ArrayList<>();
     private final List<String> missing = new ArrayList<>();
 
-    private Fields() {}
+    private final BooleanSupplier stopped;
+
+    private Fields(BooleanSupplier stopped) {
+        this.stopped = stopped;
+    }
 
     /**
-     * Computes what the given keys need.
+     * Computes what the given keys need, to the end.
      *
      * @param keys some of {@link #KEYS}
      * @throws IllegalArgumentException if the scene lacks the task, or a key is unknown
      */
     public static Fields of(Scene scene, String taskId, List<String> keys) {
+        try {
+            return of(scene, taskId, keys, () -> false);
+        } catch (InterruptedIOException e) {
+            throw new IllegalStateException("stopped without being told to", e);
+        }
+    }
+
+    /**
+     * Computes what the given keys need.
+     *
+     * @param keys some of {@link #KEYS}
+     * @param stopped tells whether to end early; asked before each stage
+     * @throws InterruptedIOException if the work was to end early
+     * @throws IllegalArgumentException if the scene lacks the task, or a key is unknown
+     */
+    public static Fields of(Scene scene, String taskId, List<String> keys, BooleanSupplier stopped)
+            throws InterruptedIOException {
         Task task = scene.task(taskId)
                 .orElseThrow(() -> new IllegalArgumentException(
                         "unknown task '" + taskId + "'; the scene has " + Tasks.ids(scene)));
-        Fields fields = new Fields();
+        Fields fields = new Fields(stopped);
         if (task instanceof Journey journey) {
             fields.compute(scene, journey, keys);
         }
         return fields;
     }
 
-    private void compute(Scene scene, Journey journey, List<String> keys) {
+    private void compute(Scene scene, Journey journey, List<String> keys) throws InterruptedIOException {
         RegionBuilder builder = new RegionBuilder(scene, able(scene, journey));
         Layers layers = timed("layers", builder::layers);
         Region region = timed("region", builder::region);
@@ -69,7 +94,8 @@ public final class Fields {
         Nf2 nf2 = wanted && reachable ? timed("nf2", () -> new Nf2(region).compute(goal, journey.spread())) : null;
         GridOverlays grid = new GridOverlays(region, layers);
         for (String key : keys) {
-            List<Overlay> found = key.equals("effort") ? effort(scene, journey) : grid.of(key, nf2);
+            List<Overlay> found = key.equals("effort") ? effort(scene, journey, grid) : grid.of(key, nf2);
+            proceed();
             if (found.isEmpty()) {
                 missing.add(key + ": nothing to show");
             }
@@ -77,10 +103,49 @@ public final class Fields {
         }
     }
 
-    private List<Overlay> effort(Scene scene, Journey journey) {
+    private void proceed() throws InterruptedIOException {
+        if (stopped.getAsBoolean()) {
+            throw new InterruptedIOException("interrupted; nothing was drawn");
+        }
+    }
+
+    /** Returns the effort of the search by storey; a storey in which nothing was searched is left out. */
+    private List<Overlay> effort(Scene scene, Journey journey, GridOverlays grid) throws InterruptedIOException {
         Engine engine = Tasks.start(scene, journey.id());
-        timed("search", engine::finish);
-        return engine.overlays().stream().filter(o -> o.key().equals("effort")).toList();
+        timed("search", () -> {
+            while (engine.step(SLICE).isRunning() && !stopped.getAsBoolean()) {
+                // the next slice
+            }
+            return engine;
+        });
+        proceed();
+        Map<Integer, Overlay.Field> storeys = new TreeMap<>();
+        for (Overlay overlay : engine.overlays()) {
+            if (overlay.key().equals("effort") && overlay instanceof Overlay.Field field && holdsAnything(field)) {
+                storeys.merge(grid.storey(field.layer()), field, Fields::together);
+            }
+        }
+        List<Overlay> found = new ArrayList<>();
+        storeys.forEach((storey, f) -> found.add(new Overlay.Field(f.key(), storey, f.frame(), f.values(), f.scale())));
+        return found;
+    }
+
+    private static boolean holdsAnything(Overlay.Field field) {
+        for (float value : field.values()) {
+            if (!Float.isNaN(value)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Joins the fields of two layers of one storey: layers that do not lie over each other. */
+    private static Overlay.Field together(Overlay.Field below, Overlay.Field above) {
+        float[] values = below.values().clone();
+        for (int i = 0; i < values.length; i++) {
+            values[i] = Float.isNaN(above.values()[i]) ? values[i] : above.values()[i];
+        }
+        return new Overlay.Field(below.key(), below.layer(), below.frame(), values, below.scale());
     }
 
     private void byStorey(List<Overlay> found) {
@@ -98,7 +163,8 @@ public final class Fields {
         return actor.under(journey.preferences());
     }
 
-    private <T> T timed(String name, Supplier<T> work) {
+    private <T> T timed(String name, Supplier<T> work) throws InterruptedIOException {
+        proceed();
         long begin = System.nanoTime();
         T result = work.get();
         stages.add(new Stage(name, (System.nanoTime() - begin) * 1e-6));

@@ -52,10 +52,26 @@ public final class SceneInspection {
                 inspection.journey(journey);
             }
         }
+        if (source.scene().tasks().isEmpty()) {
+            inspection.problems.add(new Problem(
+                    Severity.WARNING,
+                    "",
+                    0,
+                    "the scene has no task, so there is nothing to plan",
+                    addTask(source.scene())));
+        }
         List<Problem> all = new ArrayList<>(inspection.problems);
         all.addAll(first);
         all.sort(Comparator.comparing(Problem::severity));
         return List.copyOf(all);
+    }
+
+    /** Returns what to write into a scene that has no task, so that it can be planned. */
+    public static String addTask(Scene scene) {
+        String actor =
+                scene.actors().isEmpty() ? "ACTOR" : scene.actors().get(0).id();
+        return "write <journey id=\"go\" actor=\"" + actor
+                + "\" start=\"X,Y\" goal=\"X,Y\"/> before </scene>, places in metres";
     }
 
     private void journey(Journey journey) {

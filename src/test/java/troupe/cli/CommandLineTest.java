@@ -3,9 +3,12 @@ package troupe.cli;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.io.InterruptedIOException;
+import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -18,6 +21,10 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import troupe.cli.Session.Result;
+import troupe.exchange.ExportSettings;
+import troupe.exchange.Formats;
+import troupe.run.Run;
+import troupe.run.RunFile;
 
 /** Types commands from end to end. */
 class CommandLineTest {
@@ -377,6 +384,135 @@ class CommandLineTest {
             assertEquals(
                     List.of(), files.filter(f -> f.toString().endsWith(".part")).toList());
         }
+    }
+
+    @Test
+    void interruptedExportsLeaveNothing() throws IOException {
+        String file = recorded();
+        for (String format : List.of("gif", "pngs", "png", "svg", "csv")) {
+            Path out = Files.createDirectory(folder.resolve("cut-" + format));
+            Result result = session.run(
+                    new byte[0],
+                    true,
+                    "export",
+                    file,
+                    "--format",
+                    format,
+                    "-o",
+                    out.resolve("a." + format).toString());
+            assertEquals(130, result.code(), format + ": " + result);
+            assertEquals(List.of(), listed(out), format);
+        }
+        Path drawn = folder.resolve("cut-fields");
+        Result result = session.run(new byte[0], true, "fields", scene, "--task", "round", "-o", drawn.toString());
+        assertEquals(130, result.code(), result.toString());
+        assertTrue(Files.notExists(drawn), "nothing was drawn");
+    }
+
+    @Test
+    void filmCutOffInTheMiddleIsTakenAway() throws Exception {
+        Path out = Files.createDirectory(folder.resolve("film"));
+        int[] asked = {0};
+        Run run = RunFile.read(Path.of(recorded()));
+        ExportSettings settings = ExportSettings.DEFAULT.wide(200).until(() -> ++asked[0] > 6);
+        assertThrows(InterruptedIOException.class, () -> Formats.exporter("pngs")
+                .write(run, settings, out.resolve("a.png")));
+        assertEquals(7, asked[0]);
+        assertEquals(List.of(), listed(out));
+    }
+
+    private static List<String> listed(Path folder) throws IOException {
+        try (Stream<Path> files = Files.list(folder)) {
+            return files.map(Path::toString).toList();
+        }
+    }
+
+    @Test
+    void lostOutputIsNoSuccess() {
+        OutputStream full = new OutputStream() {
+            @Override
+            public void write(int b) throws IOException {
+                throw new IOException("No space left on device");
+            }
+        };
+        for (String[] typed : List.of(
+                new String[] {"run", scene, "--task", "round", "--json"},
+                new String[] {"run", scene, "--task", "round", "-o", "-"},
+                new String[] {"check", scene},
+                new String[] {"--help"})) {
+            Result result = session.run(full, typed);
+            assertEquals(3, result.code(), List.of(typed) + ": " + result);
+            assertTrue(result.err().contains("standard output cannot be written"), result.err());
+        }
+    }
+
+    @Test
+    void dashReadsRunsAndMapsFromStandardInput() throws IOException {
+        byte[] run = Files.readAllBytes(Path.of(recorded()));
+        Result replay = session.run(run, false, "replay", "-");
+        assertTrue(replay.out().startsWith("round: solved: walk; "), replay.toString());
+        Result csv = session.run(run, false, "export", "-", "--format", "csv", "-o", "-");
+        assertTrue(csv.out().startsWith("frame,time,id"), csv.toString());
+        Result bad = session.run(new byte[9], false, "replay", "-");
+        assertEquals(3, bad.code(), bad.toString());
+        assertTrue(bad.err().startsWith("troupe: standard input: not a ZIP"), bad.err());
+        byte[] map = "type octile\nheight 1\nwidth 2\nmap\n..\n".getBytes(StandardCharsets.UTF_8);
+        Result scene = session.run(map, false, "import", "-", "--format", "movingai", "-o", "-");
+        assertEquals(0, scene.code(), scene.toString());
+        assertTrue(scene.out().contains("<scene"), scene.out());
+        assertTrue(scene.err().contains("has no task yet; write <journey id=\"go\" actor=\"walker\""), scene.err());
+    }
+
+    @Test
+    void effortIsDrawnOnlyWhereTheSearchWas() throws IOException {
+        Path out = folder.resolve("effort");
+        Result result = session.run(
+                "fields", "scenes/unified/courtyard.xml", "--show", "effort", "--width", "200", "-o", out.toString());
+        assertEquals(0, result.code(), result.toString());
+        assertEquals(List.of(out.resolve("effort-1.png").toString()), listed(out));
+    }
+
+    @Test
+    void settingsThatMakeAnErrorAreBadUse() {
+        assertUse("--set cell=0: the world's cell is 0; ", "run", scene, "--task", "round", "--set", "cell=0");
+        assertUse("--set goal=20,4: round: ", "run", scene, "--task", "round", "--set", "seed=2", "--set", "goal=20,4");
+        assertUse("--set preference.walk=off: ", "fields", scene, "--set", "preference.walk=off", "-o", "x");
+        assertUse("--set start=NaN,1", "run", scene, "--set", "start=NaN,1");
+    }
+
+    @Test
+    void quietSaysNothingOfTheTask() {
+        assertTrue(session.run("run", scene).err().contains("task 'round' of round, short"));
+        assertEquals("", session.run("run", scene, "--quiet").err());
+    }
+
+    @Test
+    void versionIsTold() {
+        Result result = session.run("--version");
+        assertEquals(0, result.code());
+        assertTrue(result.out().matches("Troupe \\S+\n"), result.out());
+    }
+
+    @Test
+    void sceneWithoutTaskSaysWhatToWrite() throws IOException {
+        String idle = written("idle.xml", SCENE.replaceAll("<journey.*", ""));
+        Result check = session.run("check", idle);
+        assertEquals(0, check.code(), check.toString());
+        assertTrue(check.out().contains("idle.xml: warning: the scene has no task"), check.out());
+        assertInput("no task to plan; write <journey id=\"go\" actor=\"anna\"", "run", idle);
+    }
+
+    @Test
+    void exportAndReplayShowTheSameInstantUnlessTold() {
+        String file = recorded();
+        assertArrayEquals(
+                session.run("replay", file, "--png", "-").bytes(),
+                session.run("export", file, "--format", "png", "-o", "-").bytes());
+    }
+
+    @Test
+    void fileInThePlaceOfAFolderIsNamed() {
+        assertInput("is a file; -o needs a folder", "fields", scene, "-o", scene);
     }
 
     private String recorded() {

@@ -2,6 +2,7 @@ package troupe.cli;
 
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
+import java.io.OutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
@@ -36,6 +37,15 @@ final class Session {
 
     Result run(byte[] in, boolean interrupted, String... typed) {
         ByteArrayOutputStream out = new ByteArrayOutputStream();
+        return run(in, interrupted, out, out, typed);
+    }
+
+    /** Runs a command line whose results go to a stream of the test's own. */
+    Result run(OutputStream out, String... typed) {
+        return run(new byte[0], false, out, new ByteArrayOutputStream(), typed);
+    }
+
+    private Result run(byte[] in, boolean interrupted, OutputStream out, ByteArrayOutputStream kept, String... typed) {
         ByteArrayOutputStream err = new ByteArrayOutputStream();
         Terminal terminal = new Terminal(
                 new ByteArrayInputStream(in),
@@ -45,6 +55,6 @@ final class Session {
                 folder,
                 () -> interrupted);
         int code = line.run(List.of(typed), terminal);
-        return new Result(code, out.toByteArray(), err.toString(StandardCharsets.UTF_8));
+        return new Result(code, kept.toByteArray(), err.toString(StandardCharsets.UTF_8));
     }
 }
