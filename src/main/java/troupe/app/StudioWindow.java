@@ -254,11 +254,28 @@ final class StudioWindow {
 
     private void show(Component part, boolean on) {
         if (part.isVisible() != on) {
-            part.setVisible(on);
             if (part.getParent() instanceof JSplitPane split) {
-                split.resetToPreferredSizes();
+                showIn(split, part, on);
+            } else {
+                part.setVisible(on);
             }
         }
+    }
+
+    /** Shows or hides a part of a split; what is shown again is as large as it was. */
+    private static void showIn(JSplitPane split, Component part, boolean on) {
+        boolean columns = split.getOrientation() == JSplitPane.HORIZONTAL_SPLIT;
+        if (!on) {
+            part.setPreferredSize(part.getWidth() > 0 ? part.getSize() : part.getPreferredSize());
+            part.setVisible(false);
+            return;
+        }
+        Dimension wanted = part.getPreferredSize();
+        part.setVisible(true);
+        int size = columns ? wanted.width : wanted.height;
+        int whole = columns ? split.getWidth() : split.getHeight();
+        split.validate();
+        split.setDividerLocation(part == split.getLeftComponent() ? size : whole - split.getDividerSize() - size);
     }
 
     private void zoomTo(String id) {

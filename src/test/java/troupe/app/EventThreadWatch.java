@@ -13,7 +13,12 @@ final class EventThreadWatch implements AutoCloseable {
             "troupe.scene.SceneReader",
             "troupe.scene.SceneWriter",
             "troupe.scene.SceneChecks");
-    private static final Set<String> HARMLESS = Set.of("troupe.grid.GridFrame", "troupe.search.Outcome");
+    private static final Set<String> HARMLESS = Set.of(
+            "troupe.grid.GridFrame",
+            "troupe.search.Outcome",
+            "troupe.work.Explanation",
+            "troupe.work.Flip",
+            "troupe.work.Route");
 
     private final Thread watched = OnEventThread.get(Thread::currentThread);
     private final Thread watch = new Thread(this::look, "watch");

@@ -112,6 +112,38 @@ class StudioRobotTest {
     }
 
     @Test
+    void theOutlineComesBackAsWideAsItWas() {
+        Component outline = studio.find("outline");
+        resize(1_280);
+        Await.until("the outline is shown", outline::isShowing);
+        int width = OnEventThread.get(outline::getWidth);
+        resize(1_100);
+        Await.until("the outline is hidden", () -> !outline.isShowing());
+        resize(1_280);
+        Await.until("the outline is shown again", outline::isShowing);
+        Await.until("as wide as it was", () -> outline.getWidth() == width);
+    }
+
+    private void resize(int width) {
+        OnEventThread.run(() -> studio.window().frame().setSize(width, 720));
+        Await.until(
+                "the window is resized",
+                () -> studio.window().canvas().getRootPane().getWidth() == width);
+    }
+
+    @Test
+    void spacePlaysAndPausesWhereverTheFocusIs() {
+        run();
+        studio.keys(KeyEvent.VK_SPACE);
+        Await.until("playing", () -> studio.session().playback().isPlaying());
+        Component view = studio.find("timeline.view");
+        OnEventThread.run(view::requestFocusInWindow);
+        Await.until("the timeline has the focus", view::isFocusOwner);
+        studio.keys(KeyEvent.VK_SPACE);
+        Await.until("paused", () -> !studio.session().playback().isPlaying());
+    }
+
+    @Test
     void theTimelinePlaysAndScrubs() {
         run();
         studio.click("transport.play");
