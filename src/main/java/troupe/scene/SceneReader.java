@@ -85,11 +85,12 @@ final class SceneReader extends DefaultHandler {
             reader.parse(new InputSource(new ByteArrayInputStream(bytes)));
         } catch (SAXParseException e) {
             if (problems.isEmpty()) {
-                problem(e.getLineNumber(), e.getColumnNumber(), "", message(e), "");
+                fatal(e.getLineNumber(), e.getColumnNumber(), e);
             }
         } catch (SAXException | IOException e) {
             // malformed UTF-8 comes as an IOException of the decoder; the bytes themselves are in memory
-            problem(locator == null ? 1 : locator.getLineNumber(), 0, "", message(e), "");
+            boolean placed = locator != null && locator.getLineNumber() > 0;
+            fatal(placed ? locator.getLineNumber() : 1, placed ? locator.getColumnNumber() : 1, e);
         }
         if (!problems.isEmpty()) {
             throw new SceneException(name, problems);
@@ -135,6 +136,11 @@ final class SceneReader extends DefaultHandler {
         problems.add(new Problem(Severity.ERROR, element, Math.max(line, 0), place + message, cure));
     }
 
+    private void fatal(int line, int column, Exception e) {
+        XmlMistakes.Mistake mistake = XmlMistakes.of(message(e));
+        problem(Math.max(line, 1), Math.max(column, 1), "", mistake.message(), mistake.cure());
+    }
+
     @Override
     public void setDocumentLocator(Locator given) {
         locator = given;
@@ -156,7 +162,7 @@ final class SceneReader extends DefaultHandler {
 
     @Override
     public void fatalError(SAXParseException e) throws SAXException {
-        problem(e.getLineNumber(), e.getColumnNumber(), "", message(e), "");
+        fatal(e.getLineNumber(), e.getColumnNumber(), e);
         throw e;
     }
 
