@@ -34,7 +34,13 @@ final class CheckCommand implements Command {
     @Override
     public int run(Arguments arguments, Terminal terminal) throws UsageException, SceneException, IOException {
         String word = arguments.only("SCENE");
-        SceneSource source = SceneFiles.read(word, terminal);
+        SceneSource source;
+        try {
+            source = SceneFiles.read(word, terminal);
+        } catch (SceneException e) {
+            e.problems().forEach(p -> terminal.say(word + SceneFiles.line(p)));
+            return CommandLine.BAD_INPUT;
+        }
         List<Problem> problems = SceneInspection.check(source);
         problems.forEach(p -> terminal.out().println(word + SceneFiles.line(p)));
         long errors =

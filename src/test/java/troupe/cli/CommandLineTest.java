@@ -481,6 +481,16 @@ class CommandLineTest {
     }
 
     @Test
+    void checkTellsEveryMistakeOfTheFileItself() throws IOException {
+        String wrong = written("wrong.xml", SCENE.replace("height=", "hight=").replace("actor=", "acter="));
+        Result result = session.run("check", wrong);
+        assertEquals(3, result.code(), result.toString());
+        assertTrue(result.err().contains("wrong.xml:4: error: "), result.err());
+        assertTrue(result.err().contains("wrong.xml:6: error: "), result.err());
+        assertTrue(result.err().contains("wrong.xml:7: error: "), result.err());
+    }
+
+    @Test
     void quietSaysNothingOfTheTask() {
         assertTrue(session.run("run", scene).err().contains("task 'round' of round, short"));
         assertEquals("", session.run("run", scene, "--quiet").err());
