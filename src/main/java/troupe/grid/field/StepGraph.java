@@ -35,6 +35,8 @@ final class StepGraph {
     final byte[] moves;
     /** Bits of {@link #OPEN} to {@link #FOLDED}; per node. */
     final byte[] trait;
+    /** Open nodes that are not plain, ascending. */
+    private final int[] special;
     /** Which stretch of the target list a node owns, -1 for plain nodes; null if all nodes are plain. */
     final int[] slot;
     /** Begin of each slot's stretch, and one more for the end of the last. */
@@ -53,8 +55,8 @@ final class StepGraph {
         this.offset = steps.frame().offsets();
         this.moves = new byte[size];
         this.trait = new byte[size];
-        int special = readPlain();
-        if (special == 0) {
+        this.special = readPlain();
+        if (special.length == 0) {
             this.slot = null;
             this.first = new int[1];
             this.target = new int[0];
@@ -62,19 +64,16 @@ final class StepGraph {
             this.ring = new int[0];
         } else {
             this.slot = new int[size];
-            this.first = new int[special + 1];
-            this.ring = new int[special * GridFrame.DIRECTIONS];
-            int[] targets = new int[special * GridFrame.DIRECTIONS];
+            this.first = new int[special.length + 1];
+            this.ring = new int[special.length * GridFrame.DIRECTIONS];
+            int[] targets = new int[special.length * GridFrame.DIRECTIONS];
             byte[] directions = new byte[targets.length];
             int[] buffer = new int[Region.MAX_NEIGHBOURS];
             int[] bufferDirections = new int[buffer.length];
             int next = 0;
             int used = 0;
-            for (int q = 0; q < size; q++) {
-                slot[q] = -1;
-                if ((trait[q] & (OPEN | PLAIN)) != OPEN) {
-                    continue;
-                }
+            Arrays.fill(slot, -1);
+            for (int q : special) {
                 int count = steps.neighbours(q, buffer, bufferDirections);
                 if (used + count > targets.length) {
                     targets = Arrays.copyOf(targets, 2 * targets.length + count);
@@ -94,7 +93,7 @@ final class StepGraph {
             this.target = targets;
             this.direction = directions;
         }
-        if (special > 0) {
+        if (special.length > 0) {
             fold();
             fillRings();
         }
@@ -152,9 +151,10 @@ final class StepGraph {
         return ring[slot[from] * GridFrame.DIRECTIONS + d] == to || (trait[from] & IRREGULAR) != 0 && has(from, d, to);
     }
 
-    /** Reads masks and plainness; returns how many open nodes are not plain. */
-    private int readPlain() {
-        int special = 0;
+    /** Reads masks and plainness; returns the open nodes that are not plain. */
+    private int[] readPlain() {
+        int[] special = new int[1 << 8];
+        int count = 0;
         for (int q = 0; q < size; q++) {
             if (!steps.open(q)) {
                 continue;
@@ -162,19 +162,22 @@ final class StepGraph {
             if (steps.plain(q)) {
                 trait[q] = OPEN | PLAIN;
                 moves[q] = (byte) steps.moves(q);
-            } else {
-                trait[q] = OPEN;
-                special++;
+                continue;
             }
+            trait[q] = OPEN;
+            if (count == special.length) {
+                special = Arrays.copyOf(special, 2 * count);
+            }
+            special[count++] = q;
         }
-        return special;
+        return Arrays.copyOf(special, count);
     }
 
     /** Folds every node that another node of the same cell dominates; of two equals the later one stays. */
     private void fold() {
-        for (int q = 0; q < size; q++) {
+        for (int q : special) {
             int s = slot[q];
-            if (s < 0 || first[s] == first[s + 1]) {
+            if (first[s] == first[s + 1]) {
                 continue;
             }
             int neighbour = target[first[s]];
@@ -201,11 +204,8 @@ final class StepGraph {
 
     private void fillRings() {
         Arrays.fill(ring, -1);
-        for (int q = 0; q < size; q++) {
+        for (int q : special) {
             int s = slot[q];
-            if (s < 0) {
-                continue;
-            }
             for (int k = first[s]; k < first[s + 1]; k++) {
                 if ((trait[target[k]] & FOLDED) != 0) {
                     continue;
