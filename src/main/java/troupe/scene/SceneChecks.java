@@ -19,18 +19,19 @@ public final class SceneChecks {
             DocumentRules::ids,
             DocumentRules::texts,
             DocumentRules::world,
-            DocumentRules::memory,
             ShapeRules::outlines,
             ShapeRules::stretches,
             ActorRules::numbers,
             ActorRules::relations,
-            ActorRules::crossings,
             JourneyRules::actors,
             JourneyRules::places,
             JourneyRules::budgets,
-            JourneyRules::costs,
             ShapeRules::overlaps,
             ShapeRules::carrying);
+
+    /** The rules that count cells or steps: of a world that has no grid they would only tell the same again. */
+    private static final List<BiConsumer<Scene, Findings>> GRID_RULES =
+            List.of(DocumentRules::memory, ActorRules::crossings, JourneyRules::costs);
 
     private SceneChecks() {}
 
@@ -43,9 +44,17 @@ public final class SceneChecks {
     public static List<Problem> check(Scene scene, Map<String, Integer> lines) {
         Findings findings = new Findings(lines);
         RULES.forEach(rule -> rule.accept(scene, findings));
+        World world = scene.world();
+        if (sized(world.width()) && sized(world.depth()) && sized(world.cell())) {
+            GRID_RULES.forEach(rule -> rule.accept(scene, findings));
+        }
         return findings.problems.stream()
                 .sorted(Comparator.comparing(Problem::severity).thenComparingInt(Problem::line))
                 .toList();
+    }
+
+    private static boolean sized(double length) {
+        return length > 0 && length <= LARGEST;
     }
 
     /** Collects what the rules find. */

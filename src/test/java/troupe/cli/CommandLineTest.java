@@ -491,6 +491,15 @@ class CommandLineTest {
     }
 
     @Test
+    void cellOfNothingIsOneError() throws IOException {
+        String flat = written("flat.xml", SCENE.replace("cell=\"0.1\"", "cell=\"0\""));
+        Result result = session.run("check", flat);
+        assertEquals(1, result.code(), result.toString());
+        assertTrue(result.out().contains("flat.xml: error: the world's cell is 0; give a number"), result.out());
+        assertTrue(result.out().endsWith("flat.xml: 1 error, 0 warnings\n"), result.out());
+    }
+
+    @Test
     void quietSaysNothingOfTheTask() {
         assertTrue(session.run("run", scene).err().contains("task 'round' of round, short"));
         assertEquals("", session.run("run", scene, "--quiet").err());
