@@ -209,14 +209,8 @@ public final class Nf2 {
         }
     }
 
-    /** Raises the eight neighbours in ascending order, unless all of them have a wave already. */
     private int ring(int q, int wave, int tail) {
         int up = graph.offset[1];
-        int known = waves[q - up - 1] | waves[q - up] | waves[q - up + 1] | waves[q - 1];
-        known |= waves[q + 1] | waves[q + up - 1] | waves[q + up] | waves[q + up + 1];
-        if (known >= 0) {
-            return tail;
-        }
         int end = raise(q - up - 1, wave, tail);
         end = raise(q - up, wave, end);
         end = raise(q - up + 1, wave, end);
