@@ -94,7 +94,7 @@ record OutlineRow(
                             .count();
                     int stands = layers.size() == 1 ? OverlayChoice.ALL_LAYERS : i;
                     rows.add(layer(
-                            same == 0 ? name : name + +(same + 1),
+                            same == 0 ? name : name + " " + (same + 1),
                             range(layer),
                             look.color(ground ? Tone.FLOOR : Tone.DECK),
                             stands));
