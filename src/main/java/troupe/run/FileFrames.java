@@ -11,16 +11,12 @@ import java.util.Map;
  * Gives the frames of a run file that is too large to be held: parts of a second are read when they are
  * asked for, checked against their hash, and the last few are kept. Cost of a frame: reading its second.
  */
-final class FileFrames implements Frames {
+final class FileFrames extends PartedFrames {
     private static final int KEPT = 8;
 
     private record Part(int number, byte[] bytes) {}
 
     private final Path file;
-    private final FrameLayout layout;
-    private final double rate;
-    private final int count;
-    private final int block;
     private final List<String> hashes;
     private final Map<Integer, Part> kept = new LinkedHashMap<>(16, 0.75f, true) {
         @Override
@@ -31,27 +27,9 @@ final class FileFrames implements Frames {
     private volatile Part latest;
 
     FileFrames(Path file, FrameLayout layout, RunManifest manifest) {
+        super(layout, manifest.rate(), manifest.count());
         this.file = file;
-        this.layout = layout;
-        this.rate = manifest.rate();
-        this.count = manifest.count();
-        this.block = FrameRecorder.framesPerBlock(rate);
         this.hashes = manifest.partHashes();
-    }
-
-    @Override
-    public List<Channel> channels() {
-        return layout.channels();
-    }
-
-    @Override
-    public double rate() {
-        return rate;
-    }
-
-    @Override
-    public int count() {
-        return count;
     }
 
     /**
@@ -60,19 +38,16 @@ final class FileFrames implements Frames {
      * @throws UncheckedIOException if the file has been changed or removed since it was opened
      */
     @Override
-    public double value(int frame, int channel, int k) {
-        if (frame < 0 || frame >= count) {
-            throw new IndexOutOfBoundsException("frame " + frame + "; needs 0 to " + (count - 1));
-        }
+    byte[] part(int number) {
         Part part = latest;
-        if (part == null || part.number() != frame / block) {
-            part = part(frame / block);
+        if (part == null || part.number() != number) {
+            part = recent(number);
             latest = part;
         }
-        return layout.get(part.bytes(), frame % block * layout.bytes(), channel, k);
+        return part.bytes();
     }
 
-    private synchronized Part part(int number) {
+    private synchronized Part recent(int number) {
         Part part = kept.get(number);
         if (part == null) {
             part = new Part(number, read(number));
@@ -82,9 +57,8 @@ final class FileFrames implements Frames {
     }
 
     private byte[] read(int number) {
-        int frames = Math.min(block, count - number * block);
         try (RunArchive archive = new RunArchive(file)) {
-            return archive.read(RunManifest.partName(number), frames * layout.bytes(), hashes.get(number));
+            return archive.read(RunManifest.partName(number), partBytes(number), hashes.get(number));
         } catch (RunException e) {
             throw new UncheckedIOException(new IOException(file + ": " + e.getMessage(), e));
         } catch (IOException e) {
