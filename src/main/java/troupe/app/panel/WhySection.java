@@ -11,6 +11,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import javax.swing.text.DefaultCaret;
 import troupe.app.look.Drawn;
 import troupe.app.look.Look;
 import troupe.app.look.Texts;
@@ -181,6 +182,10 @@ final class WhySection extends Panel {
         private Note(String text) {
             super(text);
             setName("why.note");
+            // a caret that follows the text would scroll the panel down to the note whenever it changes
+            DefaultCaret still = new DefaultCaret();
+            still.setUpdatePolicy(DefaultCaret.NEVER_UPDATE);
+            setCaret(still);
             setLineWrap(true);
             setWrapStyleWord(true);
             setEditable(false);
