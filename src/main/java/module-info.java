@@ -14,6 +14,7 @@ module troupe {
     exports troupe.grid.region;
     exports troupe.run;
     exports troupe.unified;
+    exports troupe.unified.manipulation;
     exports troupe.unified.search;
     exports troupe.paint;
     exports troupe.exchange;

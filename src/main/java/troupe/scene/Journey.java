@@ -5,6 +5,8 @@ package troupe.scene;
  *
  * @param actor id of the actor
  * @param spread the order in which NF2 spreads along its skeleton
+ * @param manipulation whether the actor's body takes part when it moves an obstacle
+ * @param headings the number of headings in which a moved obstacle may stand, 1 to {@link #MOST_HEADINGS}
  * @param slice expansions that one turn of the search buys a manipulation instance, at least 1
  * @param expansions the most labels the search may expand before it gives up as exhausted, at least 1
  */
@@ -17,10 +19,14 @@ public record Journey(
         Preferences preferences,
         Ordering ordering,
         Spread spread,
+        Manipulation manipulation,
+        int headings,
         int slice,
         long expansions,
         long seed)
         implements Task {
+    public static final int DEFAULT_HEADINGS = 24;
+    public static final int MOST_HEADINGS = 360;
     public static final int DEFAULT_SLICE = 2_000;
     public static final long DEFAULT_EXPANSIONS = 50_000_000;
 
@@ -28,6 +34,12 @@ public record Journey(
     public enum Spread {
         BREADTH,
         CLEARANCE
+    }
+
+    /** What moving an obstacle asks of the actor: nothing but to stand beside it, or to hold it all the while. */
+    public enum Manipulation {
+        FREE,
+        GRIP
     }
 
     /** Makes a journey with every setting at its default. */
@@ -41,6 +53,8 @@ public record Journey(
                 Preferences.NEUTRAL,
                 Ordering.OPTIMAL,
                 Spread.BREADTH,
+                Manipulation.GRIP,
+                DEFAULT_HEADINGS,
                 DEFAULT_SLICE,
                 DEFAULT_EXPANSIONS,
                 1);
@@ -53,22 +67,110 @@ public record Journey(
 
     /** Returns this journey between other places. */
     public Journey between(Place from, Place to) {
-        return new Journey(id, label, actor, from, to, preferences, ordering, spread, slice, expansions, seed);
+        return new Journey(
+                id,
+                label,
+                actor,
+                from,
+                to,
+                preferences,
+                ordering,
+                spread,
+                manipulation,
+                headings,
+                slice,
+                expansions,
+                seed);
     }
 
     /** Returns this journey with other preferences. */
     public Journey preferring(Preferences changed) {
-        return new Journey(id, label, actor, start, goal, changed, ordering, spread, slice, expansions, seed);
+        return new Journey(
+                id,
+                label,
+                actor,
+                start,
+                goal,
+                changed,
+                ordering,
+                spread,
+                manipulation,
+                headings,
+                slice,
+                expansions,
+                seed);
     }
 
     /** Returns this journey with another ordering. */
     public Journey with(Ordering changed) {
-        return new Journey(id, label, actor, start, goal, preferences, changed, spread, slice, expansions, seed);
+        return new Journey(
+                id,
+                label,
+                actor,
+                start,
+                goal,
+                preferences,
+                changed,
+                spread,
+                manipulation,
+                headings,
+                slice,
+                expansions,
+                seed);
     }
 
     /** Returns this journey with another spreading order of NF2. */
     public Journey with(Spread changed) {
-        return new Journey(id, label, actor, start, goal, preferences, ordering, changed, slice, expansions, seed);
+        return new Journey(
+                id,
+                label,
+                actor,
+                start,
+                goal,
+                preferences,
+                ordering,
+                changed,
+                manipulation,
+                headings,
+                slice,
+                expansions,
+                seed);
+    }
+
+    /** Returns this journey with another way of moving obstacles. */
+    public Journey with(Manipulation changed) {
+        return new Journey(
+                id,
+                label,
+                actor,
+                start,
+                goal,
+                preferences,
+                ordering,
+                spread,
+                changed,
+                headings,
+                slice,
+                expansions,
+                seed);
+    }
+
+    /** Returns this journey with another number of headings for moved obstacles. */
+    public Journey withHeadings(int changed) {
+        return new Journey(
+                id,
+                label,
+                actor,
+                start,
+                goal,
+                preferences,
+                ordering,
+                spread,
+                manipulation,
+                changed,
+                slice,
+                expansions,
+                seed);
     }
 
     /** Returns this journey with other budgets. */
@@ -82,6 +184,8 @@ public record Journey(
                 preferences,
                 ordering,
                 spread,
+                manipulation,
+                headings,
                 Math.toIntExact(newSlice),
                 newExpansions,
                 seed);
@@ -89,6 +193,19 @@ public record Journey(
 
     /** Returns this journey with another seed. */
     public Journey seeded(long changed) {
-        return new Journey(id, label, actor, start, goal, preferences, ordering, spread, slice, expansions, changed);
+        return new Journey(
+                id,
+                label,
+                actor,
+                start,
+                goal,
+                preferences,
+                ordering,
+                spread,
+                manipulation,
+                headings,
+                slice,
+                expansions,
+                changed);
     }
 }

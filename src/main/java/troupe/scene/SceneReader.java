@@ -259,6 +259,8 @@ final class SceneReader extends DefaultHandler {
                 Preferences.NEUTRAL,
                 Orderings.ordering(text(a, "ordering", "optimal")),
                 Journey.Spread.valueOf(text(a, "spread", "breadth").strip().toUpperCase(java.util.Locale.ROOT)),
+                Journey.Manipulation.GRIP,
+                Journey.DEFAULT_HEADINGS,
                 (int) whole(a, "slice", Journey.DEFAULT_SLICE),
                 whole(a, "expansions", Journey.DEFAULT_EXPANSIONS),
                 whole(a, "seed", 1));

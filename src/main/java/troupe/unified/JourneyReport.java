@@ -19,7 +19,7 @@ final class JourneyReport {
     private final List<Run.Leg> legs;
     private long expanded;
     private long generated;
-    private JourneyPath path = new JourneyPath(new int[1], List.of(), 0, 0, zeros(), zeros());
+    private JourneyPath path = new JourneyPath(List.of(), 0, 0, zeros(), zeros());
     private boolean solved;
     private double reachedArea;
     private List<String> blockedBy = List.of();

@@ -86,6 +86,8 @@ class SceneXmlTest {
                                         .with(Ability.WALK, 2),
                                 new Ordering.Paper(2, 0.5),
                                 Journey.Spread.CLEARANCE,
+                                Journey.Manipulation.GRIP,
+                                24,
                                 7,
                                 99,
                                 -5),

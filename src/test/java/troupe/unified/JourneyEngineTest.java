@@ -85,6 +85,8 @@ class JourneyEngineTest implements EngineContract {
                 Preferences.NEUTRAL,
                 new Ordering.Paper(1, 1),
                 Journey.Spread.BREADTH,
+                Journey.Manipulation.GRIP,
+                24,
                 1,
                 20,
                 1);
@@ -164,6 +166,8 @@ class JourneyEngineTest implements EngineContract {
                 Preferences.NEUTRAL.with(Ability.VAULT, Preferences.OFF),
                 Ordering.OPTIMAL,
                 Journey.Spread.BREADTH,
+                Journey.Manipulation.GRIP,
+                24,
                 1,
                 1_000_000,
                 1);

@@ -30,6 +30,7 @@ public final class JourneyCosts {
     private final double cell;
     private final double[] energies = new double[Ability.values().length];
     private final double[] takeOffs = new double[Ability.values().length];
+    private final double turnEnergy;
     private final double[] preferences = new double[Ability.values().length];
     private final double[] limits = new double[KINDS];
     private final int unitBits;
@@ -62,6 +63,8 @@ public final class JourneyCosts {
         actor.sidestep().ifPresent(a -> put(Ability.SIDESTEP, a.energy(), 0));
         actor.stride().ifPresent(a -> put(Ability.STRIDE, a.energy(), a.takeOff()));
         actor.vault().ifPresent(a -> put(Ability.VAULT, a.energy(), a.takeOff()));
+        actor.move().ifPresent(a -> put(Ability.MOVE, a.energy(), 0));
+        turnEnergy = actor.move().map(Actor.Move::turnEnergy).orElse(0.0);
         Arrays.fill(limits, Double.POSITIVE_INFINITY);
         limits[Kind.BORDER] = actor.maxBorder() + SLACK;
         actor.stride().ifPresent(a -> limits[Kind.GAP] = a.maxGap() + SLACK);
@@ -95,7 +98,7 @@ public final class JourneyCosts {
         double cheapest = Double.POSITIVE_INFINITY;
         for (Ability ability : Ability.values()) {
             double price = price(ability);
-            if (price > 0) {
+            if (price > 0 && ability != Ability.MOVE) {
                 cheapest = Math.min(cheapest, price);
             }
         }
@@ -162,6 +165,22 @@ public final class JourneyCosts {
     /** Returns the cost of an ability per metre: its energy times the preference; NaN if it cannot be used. */
     public double price(Ability ability) {
         return energies[ability.ordinal()] * preferences[ability.ordinal()];
+    }
+
+    /** Returns the factor on the energy of an ability. */
+    public double preference(Ability ability) {
+        return preferences[ability.ordinal()];
+    }
+
+    /**
+     * Returns the energy in J of moving an obstacle, without the preference; NaN if moving cannot be used.
+     *
+     * @param mass kg
+     * @param metres how far its centroid travels
+     * @param radians how far it turns
+     */
+    public double moveEnergy(double mass, double metres, double radians) {
+        return mass * (metres * energy(Ability.MOVE) + radians * turnEnergy);
     }
 
     /** Returns the energy in J of one take-off of an ability, 0 for those without, without the preference. */

@@ -1,5 +1,6 @@
 package troupe.unified.search;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.function.IntConsumer;
 import troupe.grid.region.Region;
@@ -172,7 +173,7 @@ public final class JourneySearch implements Expander {
         for (int label = reached; label != LabelPool.NONE; label = labels.parent(label)) {
             configurations[--count] = labels.state(label);
         }
-        return Optional.of(JourneyPath.of(region, costs, configurations));
+        return Optional.of(JourneyPath.of(costs, List.of(JourneyPath.way(region, costs, configurations))));
     }
 
     @Override
