@@ -6,6 +6,7 @@ import troupe.geometry.Line;
 import troupe.geometry.Polygon;
 import troupe.scene.Actor;
 import troupe.scene.Obstacle;
+import troupe.unified.body.SweptBody;
 
 /**
  * Draws the way of the feet over a crossing: straight on the ground between the two standing

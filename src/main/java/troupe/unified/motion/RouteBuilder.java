@@ -9,6 +9,7 @@ import troupe.grid.region.Kind;
 import troupe.grid.region.Region;
 import troupe.scene.Ability;
 import troupe.scene.Obstacle;
+import troupe.unified.body.SweptBody;
 import troupe.unified.search.JourneyCosts;
 import troupe.unified.search.JourneyPath;
 

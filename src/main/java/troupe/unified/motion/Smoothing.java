@@ -9,6 +9,7 @@ import troupe.grid.layer.Spans;
 import troupe.grid.region.Kind;
 import troupe.grid.region.Region;
 import troupe.scene.Ability;
+import troupe.unified.body.SweptBody;
 
 /**
  * Pulls the standing parts of a grid path taut within their classes. A line is taken only if every cell

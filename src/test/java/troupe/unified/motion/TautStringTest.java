@@ -14,6 +14,7 @@ import troupe.scene.Actor;
 import troupe.scene.Obstacle;
 import troupe.scene.Scene;
 import troupe.scene.World;
+import troupe.unified.body.SweptBody;
 
 class TautStringTest {
     private static SweptBody body(double radius, Polygon... walls) {

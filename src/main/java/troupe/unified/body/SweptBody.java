@@ -1,4 +1,4 @@
-package troupe.unified.motion;
+package troupe.unified.body;
 
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -18,7 +18,8 @@ import troupe.scene.World;
  * any thread; a question costs O(obstacles) plus the corners of those near the line.
  */
 public final class SweptBody {
-    static final double SLACK = 1e-9;
+    /** How far in metres a distance may fall short of a radius. */
+    public static final double SLACK = 1e-9;
 
     private final World world;
     private final Actor actor;
@@ -38,7 +39,7 @@ public final class SweptBody {
      * no solid that meets the open stretch (floor + step, floor + body height), and no edge of the world,
      * comes nearer to the line than the radius.
      */
-    boolean fits(Line line, double floor, double radius) {
+    public boolean fits(Line line, double floor, double radius) {
         return insideWorld(line.ax(), line.ay(), radius)
                 && insideWorld(line.bx(), line.by(), radius)
                 && clearsObstacles(line, floor, radius)
@@ -46,19 +47,19 @@ public final class SweptBody {
     }
 
     /** Returns the radius in metres of the bounding volume of an ability. */
-    double radius(Ability ability) {
+    public double radius(Ability ability) {
         return ability == Ability.SIDESTEP
                 ? actor.sidestep().orElseThrow().radius()
                 : actor.walk().radius();
     }
 
     /** Tells whether the foot disc, carried along the line, rests on {@code floor} everywhere. */
-    boolean rests(Line line, double floor) {
+    public boolean rests(Line line, double floor) {
         return rests(line, floor, 0);
     }
 
     /** Tells whether the foot disc, carried along the line, is nowhere over a drop or rise of more than a step. */
-    boolean isSupported(Line line, double floor) {
+    public boolean isSupported(Line line, double floor) {
         return rests(line, floor, actor.stepHeight());
     }
 
@@ -71,7 +72,7 @@ public final class SweptBody {
     }
 
     /** Returns the elevation of the floor at a point: the highest top not above {@code floor} plus a step. */
-    double floorAt(double x, double y, double floor) {
+    public double floorAt(double x, double y, double floor) {
         return floors.floorAt(x, y, floor + actor.stepHeight() + SLACK);
     }
 
@@ -113,7 +114,7 @@ public final class SweptBody {
      * Returns the obstacles that a body of walking radius on {@code floor} would meet on its way along the
      * line, highest top first (ties: document order).
      */
-    List<Obstacle> inTheWay(Line line, double floor) {
+    public List<Obstacle> inTheWay(Line line, double floor) {
         double low = floor + actor.stepHeight();
         double high = floor + actor.bodyHeight();
         double radius = Math.max(actor.walk().radius(), SLACK);
@@ -128,7 +129,7 @@ public final class SweptBody {
     }
 
     /** Returns the elevation of the lowest underside above {@code floor} within walking radius of the line, +∞ if open. */
-    double ceiling(Line line, double floor) {
+    public double ceiling(Line line, double floor) {
         double least = Double.POSITIVE_INFINITY;
         double radius = Math.max(actor.walk().radius(), SLACK);
         for (Obstacle o : obstacles) {

@@ -1,4 +1,4 @@
-package troupe.unified.motion;
+package troupe.unified.body;
 
 import java.util.Arrays;
 import java.util.List;

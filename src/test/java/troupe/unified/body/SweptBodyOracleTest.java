@@ -1,4 +1,4 @@
-package troupe.unified.motion;
+package troupe.unified.body;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
