@@ -77,6 +77,12 @@ final class JourneyRules {
             if (journey.slice() < 1) {
                 findings.error(journey.id(), "slice is " + journey.slice(), "give a whole number from 1");
             }
+            if (journey.headings() < 1 || journey.headings() > Journey.MOST_HEADINGS) {
+                findings.error(
+                        journey.id(),
+                        "headings is " + journey.headings(),
+                        "give a whole number from 1 to " + Journey.MOST_HEADINGS);
+            }
             if (journey.expansions() < 1) {
                 findings.error(journey.id(), "expansions is " + journey.expansions(), "give a whole number from 1");
             }

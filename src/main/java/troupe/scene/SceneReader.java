@@ -6,6 +6,7 @@ import java.net.URL;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.regex.Pattern;
 import javax.xml.XMLConstants;
@@ -258,9 +259,9 @@ final class SceneReader extends DefaultHandler {
                 Numbers.place(required(a, "goal")),
                 Preferences.NEUTRAL,
                 Orderings.ordering(text(a, "ordering", "optimal")),
-                Journey.Spread.valueOf(text(a, "spread", "breadth").strip().toUpperCase(java.util.Locale.ROOT)),
-                Journey.Manipulation.GRIP,
-                Journey.DEFAULT_HEADINGS,
+                word(a, "spread", Journey.Spread.BREADTH),
+                word(a, "manipulation", Journey.Manipulation.GRIP),
+                (int) whole(a, "headings", Journey.DEFAULT_HEADINGS),
                 (int) whole(a, "slice", Journey.DEFAULT_SLICE),
                 whole(a, "expansions", Journey.DEFAULT_EXPANSIONS),
                 whole(a, "seed", 1));
@@ -295,6 +296,17 @@ final class SceneReader extends DefaultHandler {
     private static String text(Attributes attributes, String attribute, String absent) {
         String value = attributes.getValue(attribute);
         return value == null ? absent : value;
+    }
+
+    /** Returns the constant that an attribute names; the one for absence if it names none, as the validator has told. */
+    private static <E extends Enum<E>> E word(Attributes attributes, String attribute, E absent) {
+        String value = text(attributes, attribute, "").strip();
+        for (E constant : absent.getDeclaringClass().getEnumConstants()) {
+            if (constant.name().toLowerCase(Locale.ROOT).equals(value)) {
+                return constant;
+            }
+        }
+        return absent;
     }
 
     private static String required(Attributes attributes, String attribute) {

@@ -89,6 +89,8 @@ final class SceneWriter {
         attribute("goal", text(journey.goal()), "");
         attribute("ordering", Orderings.text(journey.ordering()), "optimal");
         attribute("spread", journey.spread().name().toLowerCase(Locale.ROOT), "breadth");
+        attribute("manipulation", journey.manipulation().name().toLowerCase(Locale.ROOT), "grip");
+        attribute("headings", Integer.toString(journey.headings()), Integer.toString(Journey.DEFAULT_HEADINGS));
         attribute("slice", Integer.toString(journey.slice()), Integer.toString(Journey.DEFAULT_SLICE));
         attribute("expansions", Long.toString(journey.expansions()), Long.toString(Journey.DEFAULT_EXPANSIONS));
         attribute("seed", Long.toString(journey.seed()), "1");

@@ -1,5 +1,6 @@
 package troupe.scene;
 
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -84,7 +85,17 @@ public final class Settings {
     private static Map<String, Key> table() {
         Map<String, Key> all = new LinkedHashMap<>();
         all.put("ordering", journey(j -> Orderings.text(j.ordering()), (j, v) -> j.with(Orderings.ordering(v))));
-        all.put("spread", journey(j -> j.spread().name().toLowerCase(Locale.ROOT), (j, v) -> j.with(spread(v))));
+        all.put("spread", journey(j -> j.spread().name().toLowerCase(Locale.ROOT), (j, v) -> j.with(word(Journey.Spread.class, v))));
+        all.put(
+                "manipulation",
+                journey(
+                        j -> j.manipulation().name().toLowerCase(Locale.ROOT),
+                        (j, v) -> j.with(word(Journey.Manipulation.class, v))));
+        all.put(
+                "headings",
+                journey(
+                        j -> Integer.toString(j.headings()),
+                        (j, v) -> j.withHeadings((int) positive(v, Journey.MOST_HEADINGS))));
         all.put(
                 "slice",
                 journey(
@@ -162,13 +173,16 @@ public final class Settings {
         return scene.with(form.actor(actor.id(), actor.label(), actor.colour()));
     }
 
-    private static Journey.Spread spread(String value) {
-        for (Journey.Spread spread : Journey.Spread.values()) {
-            if (spread.name().toLowerCase(Locale.ROOT).equals(value.strip())) {
-                return spread;
+    private static <E extends Enum<E>> E word(Class<E> type, String value) {
+        List<String> words = new ArrayList<>();
+        for (E constant : type.getEnumConstants()) {
+            String word = constant.name().toLowerCase(Locale.ROOT);
+            if (word.equals(value.strip())) {
+                return constant;
             }
+            words.add(word);
         }
-        throw new IllegalArgumentException("needs breadth or clearance");
+        throw new IllegalArgumentException("needs " + String.join(" or ", words));
     }
 
     private static long positive(String value, long most) {

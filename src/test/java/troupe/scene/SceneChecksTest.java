@@ -138,6 +138,12 @@ class SceneChecksTest {
                 Severity.ERROR,
                 "slice",
                 actor + "<journey id=\"j\" actor=\"a\" start=\"1,1\" goal=\"2,2\" slice=\"0\"/>");
+        for (String headings : List.of("0", "-1", "361")) {
+            finds(
+                    Severity.ERROR,
+                    "headings is " + headings,
+                    actor + "<journey id=\"j\" actor=\"a\" start=\"1,1\" goal=\"2,2\" headings=\"" + headings + "\"/>");
+        }
         finds(
                 Severity.ERROR,
                 "walking is switched off",

@@ -86,8 +86,8 @@ class SceneXmlTest {
                                         .with(Ability.WALK, 2),
                                 new Ordering.Paper(2, 0.5),
                                 Journey.Spread.CLEARANCE,
-                                Journey.Manipulation.GRIP,
-                                24,
+                                Journey.Manipulation.FREE,
+                                360,
                                 7,
                                 99,
                                 -5),
@@ -140,6 +140,12 @@ class SceneXmlTest {
         String movable = refused(scene("<obstacle id=\"o\" height=\"1\" movable=\"maybe\" points=\"1,1 2,1 2,2\"/>"))
                 .getMessage();
         assertTrue(movable.contains("'movable'") && movable.contains("boolean") && !movable.contains("more)"), movable);
+        for (String attribute : List.of("spread", "manipulation")) {
+            SceneException e = refused(
+                    scene("<journey id=\"j\" actor=\"a\" start=\"1,1\" goal=\"2,2\" " + attribute + "=\"fast\"/>"));
+            assertEquals(1, e.problems().size(), e.problems()::toString);
+            assertTrue(e.getMessage().contains("'" + attribute + "'"), e.getMessage());
+        }
         String unknown = refused(scene("<well/>")).getMessage();
         assertTrue(unknown.contains("One of 'obstacle, ditch, actor, journey' is expected"), unknown);
     }

@@ -27,7 +27,8 @@ class SettingsTest {
     @Test
     void everyKeyChangesTheSceneAndSurvivesTheFile() throws Exception {
         Map<String, String> special = Map.of(
-                "ordering", "bounded(1.5)", "spread", "clearance", "start", "3,4,0.5", "goal", "5,6", "cell", "0.1");
+                "ordering", "bounded(1.5)", "spread", "clearance", "manipulation", "free",
+                "start", "3,4,0.5", "goal", "5,6", "cell", "0.1");
         for (String key : Settings.keys()) {
             Scene changed = Settings.apply(SCENE, "j", key, special.getOrDefault(key, "77"));
             assertNotEquals(SCENE, changed, key);
@@ -70,6 +71,9 @@ class SettingsTest {
         assertRefused("ordering", "paper(a,b) or bounded(w)", "j", "ordering", "fast");
         assertRefused("bounded", "needs a number from 1", "j", "ordering", "bounded(0.5)");
         assertRefused("slice", "from 1 to", "j", "slice", "0");
+        assertRefused("manipulation", "needs free or grip", "j", "manipulation", "push");
+        assertRefused("no heading", "from 1 to 360", "j", "headings", "0");
+        assertRefused("headings", "from 1 to 360", "j", "headings", "361");
         assertRefused("preference", "above 0, or off", "j", "preference.walk", "0");
         assertRefused("vault", "cannot vault", "k", "vault.reach", "2");
         assertRefused("nan", "finite", "j", "walk.radius", "NaN");
