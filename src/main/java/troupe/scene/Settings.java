@@ -85,7 +85,11 @@ public final class Settings {
     private static Map<String, Key> table() {
         Map<String, Key> all = new LinkedHashMap<>();
         all.put("ordering", journey(j -> Orderings.text(j.ordering()), (j, v) -> j.with(Orderings.ordering(v))));
-        all.put("spread", journey(j -> j.spread().name().toLowerCase(Locale.ROOT), (j, v) -> j.with(word(Journey.Spread.class, v))));
+        all.put(
+                "spread",
+                journey(
+                        j -> j.spread().name().toLowerCase(Locale.ROOT),
+                        (j, v) -> j.with(word(Journey.Spread.class, v))));
         all.put(
                 "manipulation",
                 journey(

@@ -27,8 +27,18 @@ class SettingsTest {
     @Test
     void everyKeyChangesTheSceneAndSurvivesTheFile() throws Exception {
         Map<String, String> special = Map.of(
-                "ordering", "bounded(1.5)", "spread", "clearance", "manipulation", "free",
-                "start", "3,4,0.5", "goal", "5,6", "cell", "0.1");
+                "ordering",
+                "bounded(1.5)",
+                "spread",
+                "clearance",
+                "manipulation",
+                "free",
+                "start",
+                "3,4,0.5",
+                "goal",
+                "5,6",
+                "cell",
+                "0.1");
         for (String key : Settings.keys()) {
             Scene changed = Settings.apply(SCENE, "j", key, special.getOrDefault(key, "77"));
             assertNotEquals(SCENE, changed, key);
