@@ -14,6 +14,9 @@ final class ShapeRules {
     /** Overlaps of this many metres or less come from rounding and are not reported. */
     private static final double TOUCH = 1e-6;
 
+    /** An obstacle rests on another if its bottom is that near to the other's top, in metres. */
+    private static final double RESTS = 1e-9;
+
     /** After so many overlaps no more are looked for: the scene is then one heap, and the list is long enough. */
     private static final int MAX_OVERLAPS = 100;
 
@@ -152,7 +155,7 @@ final class ShapeRules {
     private static boolean rests(Obstacle load, Obstacle carrier) {
         return carrier.movable()
                 && load != carrier
-                && Math.abs(load.offset() - carrier.top()) <= TOUCH
+                && Math.abs(load.offset() - carrier.top()) <= RESTS
                 && overlapDeeply(load.outline().bounds(), carrier.outline().bounds());
     }
 

@@ -27,12 +27,14 @@ import troupe.scene.Task;
 
 /**
  * Checks a scene as a whole: what {@link SceneChecks} finds, and, where that leaves no error, what needs the
- * grid: a start or a goal that stands in an obstacle, or that no layer carries.
+ * grid: a start or a goal that stands in an obstacle, or that no layer carries. A goal under movable obstacles is
+ * fine where the actor of the journey may move them.
  */
 public final class SceneInspection {
     private final Scene scene;
     private final Map<String, Integer> lines;
-    private final Map<Actor, Optional<Region>> regions = new HashMap<>();
+    private final Map<Actor, Optional<Ground>> regions = new HashMap<>();
+    private final Map<Actor, Optional<Ground>> cleared = new HashMap<>();
     private final List<Problem> problems = new ArrayList<>();
 
     private SceneInspection(Scene scene, Map<String, Integer> lines) {
@@ -40,7 +42,24 @@ public final class SceneInspection {
         this.lines = lines;
     }
 
-    /** Returns all problems, worst first. Cost: one region for each actor and set of abilities in use. */
+    /** The configurations of an actor in a scene. */
+    private record Ground(Scene scene, Region region) {
+        /**
+         * Finds the first obstacle over a place that reaches into the stretch of a body on a floor: above the
+         * step, movables from the floor itself.
+         */
+        Optional<Obstacle> holding(Place place, double floor, double step, double high) {
+            return scene.obstacles().stream()
+                    .filter(o -> o.offset() < high && o.top() > (o.movable() ? floor : floor + step))
+                    .filter(o -> o.outline().contains(place.x(), place.y()))
+                    .findFirst();
+        }
+    }
+
+    /** What is wrong with a place. */
+    private record Fault(String message, String cure) {}
+
+    /** Returns all problems, worst first. Cost: one region or two for each actor and set of abilities in use. */
     public static List<Problem> check(SceneSource source) {
         List<Problem> first = SceneChecks.check(source.scene(), source.lines());
         if (first.stream().anyMatch(p -> p.severity() == Severity.ERROR)) {
@@ -80,61 +99,72 @@ public final class SceneInspection {
         }
         Actor actor = Fields.able(scene, journey);
         if (!regions.containsKey(actor)) {
-            regions.put(actor, region(journey, actor));
+            regions.put(actor, ground(scene, journey, actor));
         }
-        regions.get(actor).ifPresent(region -> {
-            place(journey, "start", journey.start(), region);
-            place(journey, "goal", journey.goal(), region);
+        regions.get(actor).ifPresent(ground -> {
+            fault("start", journey.start(), ground).ifPresent(fault -> report(journey, fault));
+            fault("goal", journey.goal(), ground)
+                    .flatMap(fault -> lasting(fault, journey, actor))
+                    .ifPresent(fault -> report(journey, fault));
         });
     }
 
-    private Optional<Region> region(Journey journey, Actor actor) {
+    /** Returns what is left of a goal's fault once the actor has moved aside what it can. */
+    private Optional<Fault> lasting(Fault fault, Journey journey, Actor actor) {
+        if (actor.move().isEmpty() || scene.obstacles().stream().noneMatch(Obstacle::movable)) {
+            return Optional.of(fault);
+        }
+        if (!cleared.containsKey(actor)) {
+            Scene emptied = new Scene(
+                    scene.title(),
+                    scene.world(),
+                    scene.obstacles().stream().filter(o -> !o.movable()).toList(),
+                    scene.ditches(),
+                    scene.actors(),
+                    scene.tasks());
+            cleared.put(actor, ground(emptied, journey, actor));
+        }
+        return cleared.get(actor).flatMap(ground -> fault("goal", journey.goal(), ground));
+    }
+
+    private Optional<Ground> ground(Scene built, Journey journey, Actor actor) {
         try {
-            return Optional.of(Region.of(scene, actor));
+            return Optional.of(new Ground(built, Region.of(built, actor)));
         } catch (GridLimitException tooMuch) {
-            report(journey, tooMuch.found(), tooMuch.cure());
+            report(journey, new Fault(tooMuch.found(), tooMuch.cure()));
             return Optional.empty();
         }
     }
 
-    private void place(Journey journey, String which, Place place, Region region) {
+    private static Optional<Fault> fault(String which, Place place, Ground ground) {
+        Region region = ground.region();
+        String named = "the " + which + " " + text(place);
+        String cure = "move the " + which + " to where the actor can stand";
         int q = region.locate(place);
         if (q < 0) {
-            report(journey, "no layer carries the " + which + " " + text(place), cure(which));
-            return;
+            return Optional.of(new Fault("no layer carries " + named, cure));
         }
         double floor = region.elevation(q);
         double step = region.actor().stepHeight();
         if (place.z().isPresent() && Math.abs(place.z().getAsDouble() - floor) > step) {
-            report(
-                    journey,
-                    "no layer carries the " + which + " " + text(place) + "; floors there: " + floors(place, region),
-                    "give it the z of one of these floors");
-        } else if (!region.open(q)) {
-            Optional<Obstacle> around =
-                    holding(place, floor + step, floor + region.actor().bodyHeight());
-            report(
-                    journey,
-                    "the " + which + " " + text(place)
-                            + around.map(o -> " is inside obstacle '" + o.id() + "'")
-                                    .orElse(" leaves actor '" + journey.actor() + "' no room to stand"),
-                    cure(which));
-        } else if (place.z().isEmpty() && floor > step) {
-            holding(place, 0, step)
-                    .filter(o -> new Way(region, o).isShut(q))
-                    .ifPresent(o -> report(
-                            journey,
-                            "the " + which + " " + text(place) + " is inside obstacle '" + o.id()
-                                    + "', from whose top no way leads",
-                            cure(which)));
+            return Optional.of(new Fault(
+                    "no layer carries " + named + "; floors there: " + floors(place, region),
+                    "give it the z of one of these floors"));
         }
-    }
-
-    private Optional<Obstacle> holding(Place place, double low, double high) {
-        return scene.obstacles().stream()
-                .filter(o -> o.offset() < high && o.top() > low)
-                .filter(o -> o.outline().contains(place.x(), place.y()))
-                .findFirst();
+        if (!region.open(q)) {
+            Optional<Obstacle> around =
+                    ground.holding(place, floor, step, floor + region.actor().bodyHeight());
+            String how = around.map(o -> " is inside obstacle '" + o.id() + "'")
+                    .orElse(" leaves actor '" + region.actor().id() + "' no room to stand");
+            return Optional.of(new Fault(named + how, cure));
+        }
+        if (place.z().isEmpty() && floor > step) {
+            return ground.holding(place, 0, 0, step)
+                    .filter(o -> new Way(region, o).isShut(q))
+                    .map(o -> new Fault(
+                            named + " is inside obstacle '" + o.id() + "', from whose top no way leads", cure));
+        }
+        return Optional.empty();
     }
 
     private static String floors(Place place, Region region) {
@@ -148,12 +178,9 @@ public final class SceneInspection {
         return String.join(", ", floors.stream().map(SceneInspection::number).toList());
     }
 
-    private static String cure(String which) {
-        return "move the " + which + " to where the actor can stand";
-    }
-
-    private void report(Journey journey, String message, String cure) {
-        problems.add(new Problem(Severity.ERROR, journey.id(), lines.getOrDefault(journey.id(), 0), message, cure));
+    private void report(Journey journey, Fault fault) {
+        int line = lines.getOrDefault(journey.id(), 0);
+        problems.add(new Problem(Severity.ERROR, journey.id(), line, fault.message(), fault.cure()));
     }
 
     private static String text(Place place) {

@@ -107,6 +107,18 @@ class SceneInspectionTest {
         assertTrue(errors.get(0).message().startsWith("obstacles overlap in more than"), errors::toString);
     }
 
+    @Test
+    void letsAGoalStandUnderWhatTheActorMayMove() {
+        Obstacle crate = movable("crate", 2.5, 0, 3.5, 2, 0, 2);
+        Actor mover = Actor.standard("anna");
+        assertEquals(List.of(), problems(mover, Place.of(1, 1), Place.of(3, 1), crate));
+        assertEquals(1, problems(mover, Place.of(3, 1), Place.of(1, 1), crate).size());
+        Obstacle near = movable("crate", 2.5, 0, 3.05, 2, 0, 2);
+        assertProblem(
+                "the goal (3, 1) leaves actor 'anna' no room to stand",
+                problems(mover, Place.of(1, 1), Place.of(3, 1), near, box("wall", 3.1, 0, 3.5, 3, 0, 2)));
+    }
+
     private static void assertProblem(String message, List<Problem> found) {
         assertEquals(1, found.size(), found.toString());
         assertEquals(Severity.ERROR, found.get(0).severity());
@@ -116,13 +128,17 @@ class SceneInspectionTest {
     }
 
     private static List<Problem> problems(Place goal, Obstacle... obstacles) {
+        return problems(ANNA, Place.of(1, 1), goal, obstacles);
+    }
+
+    private static List<Problem> problems(Actor actor, Place start, Place goal, Obstacle... obstacles) {
         Scene scene = new Scene(
                 "",
                 new World(6, 4, 0.1),
                 List.of(obstacles),
                 List.of(),
-                List.of(ANNA),
-                List.of(Journey.of("go", "anna", Place.of(1, 1), goal)));
+                List.of(actor),
+                List.of(Journey.of("go", "anna", start, goal)));
         return SceneInspection.check(new SceneSource(scene, Map.of("go", 7)));
     }
 
