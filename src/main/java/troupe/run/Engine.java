@@ -29,6 +29,22 @@ public interface Engine {
     /** Returns the views of the work so far; never null, may be empty. Cost: up to that of a field. */
     List<Overlay> overlays();
 
+    /**
+     * Returns the respects in which there are several sets of views to choose from; none unless the planner has
+     * some. What a later aspect offers may depend on what is chosen of those before it.
+     *
+     * @param chosen the choice of each aspect in their order, from 0; may be shorter, and what an aspect lacks
+     *     counts as its first choice ({@link Aspect#chosen})
+     */
+    default List<Aspect> aspects(List<Integer> chosen) {
+        return List.of();
+    }
+
+    /** Returns the views of a choice of {@link #aspects}; of no choice those of {@link #overlays()}. */
+    default List<Overlay> overlays(List<Integer> chosen) {
+        return overlays();
+    }
+
     /** Returns the run as far as it has come: the frames so far and the report. */
     Run run();
 

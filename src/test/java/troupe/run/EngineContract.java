@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
@@ -95,6 +96,29 @@ public interface EngineContract {
             } while (engine.step(50).isRunning());
             assertNotNull(engine.overlays());
         }
+    }
+
+    @Test
+    default void showsTheViewsOfEveryChoice() {
+        for (Engine engine : engines()) {
+            assertNotNull(engine.aspects(List.of()));
+            engine.finish();
+            List<Aspect> aspects = engine.aspects(List.of());
+            assertEquals(aspects, engine.aspects(List.of(-1)), "no choice");
+            assertEquals(keys(engine.overlays()), keys(engine.overlays(List.of())), "no choice");
+            for (int i = 0; i < aspects.size(); i++) {
+                Integer[] last = new Integer[i + 1];
+                Arrays.fill(last, 0);
+                last[i] = aspects.get(i).choices().size() - 1;
+                List<Integer> chosen = List.of(last);
+                assertEquals(aspects.get(i), engine.aspects(chosen).get(i), "an aspect depends on itself");
+                assertNotNull(engine.overlays(chosen));
+            }
+        }
+    }
+
+    private static List<String> keys(List<Overlay> overlays) {
+        return overlays.stream().map(Overlay::key).toList();
     }
 
     @Test

@@ -1,0 +1,31 @@
+package troupe.run;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+class AspectTest {
+    private static final Aspect SPACE =
+            new Aspect("space", List.of(Aspect.Choice.of("scene"), Aspect.Choice.of("moved", "Crate", "Bench")));
+
+    @Test
+    void namesAChoiceInOneLine() {
+        assertEquals("scene", SPACE.choices().get(0).text());
+        assertEquals("moved Crate, Bench", SPACE.choices().get(1).text());
+    }
+
+    @Test
+    void takesTheFirstWhereNothingThatExistsIsChosen() {
+        assertEquals(1, SPACE.chosen(List.of(5, 1), 1));
+        assertEquals(0, SPACE.chosen(List.of(1), 1));
+        assertEquals(0, SPACE.chosen(List.of(2), 0));
+        assertEquals(0, SPACE.chosen(List.of(-1), 0));
+    }
+
+    @Test
+    void refusesToOfferNothing() {
+        assertThrows(IllegalArgumentException.class, () -> new Aspect("space", List.of()));
+    }
+}
