@@ -8,15 +8,23 @@ import java.util.List;
  *
  * @param key a word for the respect: {@code space}, {@code instance}, {@code heading}, {@code time}, …
  * @param choices what there is to choose from, at least one; the first is chosen unless another is
+ * @param views the keys of the overlays that the choice changes, so that a front offers it while one of them is
+ *     shown; empty: of all
  */
-public record Aspect(String key, List<Choice> choices) {
+public record Aspect(String key, List<Choice> choices, List<String> views) {
 
-    /** Copies the list and checks that it holds something. */
+    /** Copies the lists and checks that there is a choice. */
     public Aspect {
         choices = List.copyOf(choices);
+        views = List.copyOf(views);
         if (choices.isEmpty()) {
             throw new IllegalArgumentException("aspect '" + key + "' without a choice; needs at least one");
         }
+    }
+
+    /** Makes an aspect that changes all overlays. */
+    public Aspect(String key, List<Choice> choices) {
+        this(key, choices, List.of());
     }
 
     /**
