@@ -126,9 +126,13 @@ public final class GridOverlays {
                 new Overlay.Categories(words));
     }
 
-    /** Returns the class of every configuration. */
+    /** Returns the class of every configuration, forbidden also where a movable obstacle stands. */
     public List<Overlay> kinds() {
-        return fields("class", q -> true, region::kind, new Overlay.Categories(KINDS));
+        return fields(
+                "class",
+                q -> true,
+                q -> region.open(q) ? region.kind(q) : Kind.FORBIDDEN,
+                new Overlay.Categories(KINDS));
     }
 
     /** Returns the crossings. */

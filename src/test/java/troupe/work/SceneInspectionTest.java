@@ -52,7 +52,8 @@ class SceneInspectionTest {
                 "no layer carries the goal (3, 1, 1.5); floors there: 0, 3",
                 problems(Place.of(3, 1, 1.5), box("deck", 2, 0, 4, 3, 2.5, 0.5)));
         assertProblem(
-                "no layer carries the goal (3, 1)", problems(Place.of(3, 1), movable("crate", 2.5, 0, 3.5, 2, 0, 2)));
+                "the goal (3, 1) is inside obstacle 'crate'",
+                problems(Place.of(3, 1), movable("crate", 2.5, 0, 3.5, 2, 0, 2)));
     }
 
     @Test

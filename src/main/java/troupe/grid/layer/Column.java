@@ -17,13 +17,11 @@ public final class Column {
     private final double ground;
     private final double[] bottoms;
     private final double[] tops;
-    private final boolean[] carries;
 
-    private Column(double ground, double[] bottoms, double[] tops, boolean[] carries) {
+    private Column(double ground, double[] bottoms, double[] tops) {
         this.ground = ground;
         this.bottoms = bottoms;
         this.tops = tops;
-        this.carries = carries;
     }
 
     /** Makes the column that is solid all the way up. */
@@ -33,12 +31,11 @@ public final class Column {
 
     /** Makes the column of bare ground at an elevation. */
     public static Column ground(double elevation) {
-        return new Column(
-                elevation, new double[] {Double.NEGATIVE_INFINITY}, new double[] {elevation}, new boolean[] {true});
+        return new Column(elevation, new double[] {Double.NEGATIVE_INFINITY}, new double[] {elevation});
     }
 
-    /** Returns this column with a solid put in; {@code standable} says whether its top may carry an actor. */
-    public Column with(double bottom, double top, boolean standable) {
+    /** Returns this column with a solid put in. */
+    public Column with(double bottom, double top) {
         int first = 0;
         while (first < tops.length && tops[first] + CLOSE <= bottom) {
             first++;
@@ -46,25 +43,13 @@ public final class Column {
         int last = first;
         double low = bottom;
         double high = top;
-        boolean carrying = standable;
         while (last < tops.length && bottoms[last] < top + CLOSE) {
             low = Math.min(low, bottoms[last]);
-            if (tops[last] > high) {
-                high = tops[last];
-                carrying = carries[last];
-            } else if (tops[last] == high) {
-                carrying &= carries[last];
-            }
+            high = Math.max(high, tops[last]);
             last++;
         }
         int count = tops.length - (last - first) + 1;
-        double[] newBottoms = spliced(bottoms, first, last, count, low);
-        double[] newTops = spliced(tops, first, last, count, high);
-        boolean[] newCarries = new boolean[count];
-        System.arraycopy(carries, 0, newCarries, 0, first);
-        newCarries[first] = carrying;
-        System.arraycopy(carries, last, newCarries, first + 1, carries.length - last);
-        return new Column(ground, newBottoms, newTops, newCarries);
+        return new Column(ground, spliced(bottoms, first, last, count, low), spliced(tops, first, last, count, high));
     }
 
     private static double[] spliced(double[] old, int first, int last, int count, double value) {
@@ -91,11 +76,6 @@ public final class Column {
 
     public double top(int i) {
         return tops[i];
-    }
-
-    /** Tells whether the top of stretch {@code i} may carry an actor. */
-    public boolean carries(int i) {
-        return carries[i];
     }
 
     /** Returns where the free stretch above solid {@code i} ends; infinite above the last. */
@@ -129,8 +109,7 @@ public final class Column {
         return other instanceof Column c
                 && ground == c.ground
                 && Arrays.equals(bottoms, c.bottoms)
-                && Arrays.equals(tops, c.tops)
-                && Arrays.equals(carries, c.carries);
+                && Arrays.equals(tops, c.tops);
     }
 
     @Override

@@ -14,7 +14,8 @@ import troupe.scene.Scene;
 /**
  * Numbers the distinct columns of a scene and finds the column of every cell. A scene has few distinct
  * columns (one for each way in which polygons overlap), so a cell holds one number, and what is asked of
- * heights is asked once per column. The maps are only looked up, never iterated.
+ * heights is asked once per column. Movable obstacles are no part of it: the bodies that they bar are marked
+ * afterwards. The maps are only looked up, never iterated.
  */
 public final class Columns {
     /** The number of the column that is solid all the way up. */
@@ -34,7 +35,7 @@ public final class Columns {
 
     private long stretches;
 
-    private record Solid(double bottom, double top, boolean standable) {}
+    private record Solid(double bottom, double top) {}
 
     /**
      * Finds the column of each cell of the frame; cells whose centre lies outside the world are rock.
@@ -56,6 +57,9 @@ public final class Columns {
             apply(runs, id -> dug(id, ditch));
         }
         for (Obstacle obstacle : scene.obstacles()) {
+            if (obstacle.movable()) {
+                continue;
+            }
             runs.clear();
             runs.fill(obstacle.outline());
             int solid = solid(obstacle);
@@ -88,7 +92,7 @@ public final class Columns {
     }
 
     private int solid(Obstacle obstacle) {
-        Solid solid = new Solid(obstacle.offset(), obstacle.top(), !obstacle.movable());
+        Solid solid = new Solid(obstacle.offset(), obstacle.top());
         return solids.computeIfAbsent(solid, s -> solids.size());
     }
 
@@ -98,7 +102,7 @@ public final class Columns {
         }
         Integer known = raised.get((long) solid << 32 | id);
         if (known == null) {
-            known = number(column(id).with(obstacle.offset(), obstacle.top(), !obstacle.movable()));
+            known = number(column(id).with(obstacle.offset(), obstacle.top()));
             raised.put((long) solid << 32 | id, known);
         }
         return known;

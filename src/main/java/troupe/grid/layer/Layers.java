@@ -1,6 +1,9 @@
 package troupe.grid.layer;
 
 import java.util.Arrays;
+import java.util.BitSet;
+import troupe.grid.CellRuns;
+import troupe.scene.Obstacle;
 
 /**
  * Holds the layers of a scene: connected sheets of linked spans that do not lie over themselves. Immutable.
@@ -38,6 +41,45 @@ public final class Layers {
     /** Returns the layer of a span, {@code 0 <= layer < count()}, -1 if there is no such span. */
     public int layer(int span) {
         return layers[span];
+    }
+
+    /**
+     * Returns the layer that an obstacle's bottom rests on: of the spans whose floor is at its offset, over the
+     * cells that it covers (where there are none, those within a cell of its outline), the layer of most of
+     * them, ties the least; -1 if it rests on none. Cost O(cells of its box).
+     */
+    public int of(Obstacle obstacle) {
+        int[] votes = new int[count];
+        CellRuns runs = new CellRuns(spans.frame());
+        runs.fill(obstacle.outline());
+        int best = best(obstacle, runs, votes);
+        if (best < 0) {
+            runs.clear();
+            runs.near(obstacle.outline(), spans.frame().cell());
+            best = best(obstacle, runs, votes);
+        }
+        return best;
+    }
+
+    private int best(Obstacle obstacle, CellRuns runs, int[] votes) {
+        BitSet under = new BitSet();
+        for (int i = 0; i < runs.size(); i++) {
+            under.set(runs.from(i), runs.to(i));
+        }
+        for (int cell = under.nextSetBit(0); cell >= 0; cell = under.nextSetBit(cell + 1)) {
+            for (int span = cell; span < layers.length; span += spans.frame().size()) {
+                if (layers[span] >= 0 && Math.abs(spans.floor(span) - obstacle.offset()) <= Column.SAME) {
+                    votes[layers[span]]++;
+                }
+            }
+        }
+        int best = -1;
+        for (int layer = 0; layer < votes.length; layer++) {
+            if (votes[layer] > (best < 0 ? 0 : votes[best])) {
+                best = layer;
+            }
+        }
+        return best;
     }
 
     /** Returns the lowest floor of a layer in metres. */

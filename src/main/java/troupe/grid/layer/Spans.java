@@ -11,8 +11,8 @@ import troupe.scene.GridMemory;
  * smallest body in use can stand. The k-th span of a cell from below lies on sheet k; the id of a span is
  * {@code sheet * frame().size() + cell}. Immutable.
  *
- * <p>Kept is a stretch at least as tall as the body (to 1e-9 m) whose floor may be stood on, which the top
- * of a movable obstacle may not. A cell stores the number of its column only, so that a scene without
+ * <p>Kept is a stretch at least as tall as the body (to 1e-9 m). Floors are ground and tops of immovable
+ * obstacles; a movable obstacle neither carries nor ends a span. A cell stores the number of its column only, so that a scene without
  * overhang costs four bytes per cell. Source: Unified section 3; Li and Huang's layered scenes.
  */
 public final class Spans {
@@ -84,7 +84,7 @@ public final class Spans {
         for (int i = 0; i < column.size(); i++) {
             double floor = column.top(i);
             double ceiling = column.ceiling(i);
-            if (column.carries(i) && Double.isFinite(floor) && ceiling - floor >= bodyHeight - Column.SAME) {
+            if (Double.isFinite(floor) && ceiling - floor >= bodyHeight - Column.SAME) {
                 if (floors != null) {
                     floors[base + count] = floor;
                     ceilings[base + count] = ceiling;

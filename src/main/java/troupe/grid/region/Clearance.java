@@ -1,5 +1,6 @@
 package troupe.grid.region;
 
+import java.util.List;
 import java.util.concurrent.CancellationException;
 import troupe.grid.CellRuns;
 import troupe.grid.DistanceTransform;
@@ -9,7 +10,6 @@ import troupe.grid.layer.Column;
 import troupe.grid.layer.Columns;
 import troupe.grid.layer.Spans;
 import troupe.scene.Actor;
-import troupe.scene.Obstacle;
 import troupe.scene.Scene;
 
 /**
@@ -29,15 +29,17 @@ final class Clearance {
     private final Columns columns;
     private final Spans spans;
     private final Rims rims;
+    private final List<Solid> solids;
     private final GridFrame frame;
     private volatile float[] field;
 
-    Clearance(Scene scene, Actor actor, Columns columns, Spans spans, Rims rims) {
-        this.scene = scene;
-        this.actor = actor;
-        this.columns = columns;
-        this.spans = spans;
-        this.rims = rims;
+    Clearance(Structure structure, Solid[] movables) {
+        this.scene = structure.scene();
+        this.actor = structure.actor();
+        this.columns = structure.columns();
+        this.spans = structure.spans();
+        this.rims = structure.standing().rims();
+        this.solids = structure.solids(movables);
         this.frame = spans.frame();
     }
 
@@ -128,9 +130,12 @@ final class Clearance {
             sources[i] = blocked[spans.columnAt()[cell]] ? CENTRE : 0;
         }
         CellRuns runs = new CellRuns(frame);
-        for (Obstacle obstacle : scene.obstacles()) {
-            if (RegionBuilder.blocks(obstacle, floor, actor.stepHeight(), actor.bodyHeight())) {
-                runs.touch(obstacle.outline());
+        for (Solid solid : solids) {
+            if (solid.blocks(floor)) {
+                runs.touch(solid.outline());
+                if (solid.obstacle().movable()) {
+                    inside(solid, window, sources);
+                }
             }
         }
         for (int i = 0; i < rims.size(); i++) {
@@ -144,6 +149,17 @@ final class Clearance {
             }
         });
         return sources;
+    }
+
+    /** Marks the cells of a window whose centre lies inside a movable obstacle, of which columns do not know. */
+    private void inside(Solid solid, Window window, byte[] sources) {
+        CellRuns runs = new CellRuns(frame);
+        runs.fill(solid.outline());
+        window.each(runs, frame, (from, to) -> {
+            for (int i = from; i < to; i++) {
+                sources[i] |= CENTRE;
+            }
+        });
     }
 
     /** Tells whether the ground rises in the way of a body on {@code floor} at a piece. */
@@ -188,14 +204,13 @@ final class Clearance {
     private void exact(float[] made, double band) {
         CellRuns runs = new CellRuns(frame);
         boolean[] blocked = new boolean[spans.levels()];
-        for (Obstacle obstacle : scene.obstacles()) {
+        for (Solid solid : solids) {
             for (int level = 0; level < blocked.length; level++) {
-                blocked[level] =
-                        RegionBuilder.blocks(obstacle, spans.elevation(level), actor.stepHeight(), actor.bodyHeight());
+                blocked[level] = solid.blocks(spans.elevation(level));
             }
             runs.clear();
-            runs.near(obstacle.outline(), band);
-            stamp(runs, blocked, made, (x, y) -> obstacle.outline().distanceToOutline(x, y));
+            runs.near(solid.outline(), band);
+            stamp(runs, blocked, made, (x, y) -> solid.outline().distanceToOutline(x, y));
         }
         for (int i = 0; i < rims.size(); i++) {
             for (int level = 0; level < blocked.length; level++) {

@@ -39,14 +39,16 @@ final class CrossingFinder {
     private long[] found = new long[64];
     private int count;
 
-    CrossingFinder(Scene scene, Actor actor, Columns columns, Spans spans, Standing standing) {
-        this.scene = scene;
-        this.actor = actor;
-        this.spans = spans;
-        this.columns = columns;
-        this.solids = new Solids(scene, actor, columns, standing, spans.frame());
+    /** Prepares the search for crossings where movable obstacles stand and leave spans certain abilities. */
+    CrossingFinder(Structure structure, Solid[] movables, byte[] abilities) {
+        this.scene = structure.scene();
+        this.actor = structure.actor();
+        this.spans = structure.spans();
+        this.columns = structure.columns();
+        Standing standing = structure.standing();
+        this.solids = new Solids(scene, actor, columns, standing.rims(), structure.solids(movables), spans.frame());
         this.kinds = standing.kinds();
-        this.abilities = standing.abilities();
+        this.abilities = abilities;
         this.frame = spans.frame();
         this.cell = frame.cell();
         this.columnAt = spans.columnAt();

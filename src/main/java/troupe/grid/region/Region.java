@@ -1,11 +1,14 @@
 package troupe.grid.region;
 
 import java.util.BitSet;
+import java.util.Optional;
+import troupe.geometry.Polygon;
 import troupe.grid.GridFrame;
 import troupe.grid.layer.Column;
 import troupe.grid.layer.Spans;
 import troupe.scene.Ability;
 import troupe.scene.Actor;
+import troupe.scene.Obstacle;
 import troupe.scene.Place;
 import troupe.scene.Scene;
 
@@ -28,6 +31,8 @@ public final class Region implements StepRelation {
     /** The most legal neighbours that a configuration has. */
     public static final int MAX_NEIGHBOURS = 512;
 
+    private final Structure structure;
+    private final Solid[] movables;
     private final Actor actor;
     private final GridFrame frame;
     private final Spans spans;
@@ -43,16 +48,22 @@ public final class Region implements StepRelation {
     private final int[] offsets;
     private volatile TargetLists lists;
 
-    Region(Actor actor, Spans spans, Standing standing, Crossings crossings, Clearance clearance) {
-        this.actor = actor;
+    /** Builds the region of a structure with movable obstacles where they stand; null where one is not there. */
+    Region(Structure structure, Solid[] movables) {
+        this.structure = structure;
+        this.movables = movables;
+        this.actor = structure.actor();
+        this.spans = structure.spans();
         this.frame = spans.frame();
-        this.spans = spans;
-        this.crossings = crossings;
-        this.clearance = clearance;
+        byte[] standing = structure.standing().abilities(movables);
+        this.crossings = actor.stride().isPresent() || actor.vault().isPresent()
+                ? new CrossingFinder(structure, movables, standing).find()
+                : Crossings.NONE;
+        this.clearance = new Clearance(structure, movables);
         this.cells = frame.size();
         this.spanCount = spans.size();
-        this.kinds = standing.kinds(crossings);
-        this.abilities = standing.abilities(crossings);
+        this.kinds = structure.standing().kinds(crossings);
+        this.abilities = Standing.abilities(standing, crossings);
         this.offsets = frame.offsets();
         Joints joints = new Joints(actor, spans, abilities);
         Moves steps = new Moves(spans, abilities, joints);
@@ -66,6 +77,63 @@ public final class Region implements StepRelation {
     /** Builds the region of an actor that has already lost the abilities which preferences switch off. */
     public static Region of(Scene scene, Actor actor) {
         return new RegionBuilder(scene, actor).region();
+    }
+
+    /**
+     * Returns the region in which a movable obstacle stands at an outline, whether it was there before or not,
+     * and everything else is as here.
+     *
+     * @param obstacle its index among the obstacles of the scene
+     * @throws IllegalArgumentException if there is no movable obstacle of that index
+     */
+    public Region with(int obstacle, Polygon outline) {
+        if (outline(obstacle).equals(Optional.of(outline))) {
+            return this;
+        }
+        Solid[] changed = movables.clone();
+        changed[obstacle] = structure.placed(obstacle, outline);
+        return new Region(structure, changed);
+    }
+
+    /**
+     * Returns the region in which a movable obstacle is not there, and everything else is as here.
+     *
+     * @param obstacle its index among the obstacles of the scene
+     * @throws IllegalArgumentException if there is no movable obstacle of that index
+     */
+    public Region without(int obstacle) {
+        structure.movable(obstacle);
+        if (movables[obstacle] == null) {
+            return this;
+        }
+        Solid[] changed = movables.clone();
+        changed[obstacle] = null;
+        return new Region(structure, changed);
+    }
+
+    /**
+     * Returns where a movable obstacle stands, empty if it is not there.
+     *
+     * @param obstacle its index among the obstacles of the scene
+     * @throws IllegalArgumentException if there is no movable obstacle of that index
+     */
+    public Optional<Polygon> outline(int obstacle) {
+        structure.movable(obstacle);
+        return Optional.ofNullable(movables[obstacle]).map(Solid::outline);
+    }
+
+    /**
+     * Returns a movable obstacle as it is in the scene.
+     *
+     * @throws IllegalArgumentException if there is no movable obstacle of that index
+     */
+    Obstacle obstacle(int obstacle) {
+        return structure.movable(obstacle);
+    }
+
+    /** Tells whether two elevations lie within a step of each other. */
+    boolean steps(double a, double b) {
+        return Math.abs(a - b) <= actor.stepHeight() + Column.SAME;
     }
 
     /** Returns the actor profile. */
@@ -119,7 +187,27 @@ public final class Region implements StepRelation {
         return q < spanCount ? spans.floor(q) : spans.elevation(crossings.level(q - spanCount));
     }
 
-    /** Returns the class, one of {@link Kind}. */
+    /**
+     * Returns the number among {@link Spans#elevation} of a span's floor, or of a crossing's take-off floor; -1
+     * if there is no such span. It is the same in all regions of a builder.
+     */
+    public int level(int q) {
+        return q < spanCount ? spans.level(q) : crossings.level(q - spanCount);
+    }
+
+    /**
+     * Returns the crossing over a cell of a take-off level and a kind, -1 if there is none. Regions number
+     * their crossings each for itself; cell, level and kind name one in all regions of a builder.
+     */
+    public int crossing(int cell, int level, byte kind) {
+        int found = crossings.find(cell, level, kind);
+        return found < 0 ? -1 : spanCount + found;
+    }
+
+    /**
+     * Returns the class, one of {@link Kind}. That of a span is the same in all regions of a builder: who is
+     * barred by a movable obstacle finds it in {@link #open}, not here.
+     */
     public byte kind(int q) {
         return kinds[q];
     }

@@ -1,7 +1,6 @@
 package troupe.grid.region;
 
 import troupe.grid.GridFrame;
-import troupe.grid.layer.Column;
 import troupe.grid.layer.Columns;
 import troupe.grid.layer.Layers;
 import troupe.grid.layer.Spans;
@@ -24,7 +23,9 @@ public final class RegionBuilder {
     private Columns columns;
     private Spans spans;
     private Layers layers;
+    private Structure structure;
     private Region region;
+    private Region widest;
 
     /** Makes a builder for an actor that has already lost the abilities which preferences switch off. */
     public RegionBuilder(Scene scene, Actor actor) {
@@ -56,27 +57,33 @@ public final class RegionBuilder {
                 .orElse(actor.bodyHeight());
     }
 
-    /** Classifies every configuration. Cost O(cells + edges). */
+    /** Classifies every configuration, movable obstacles at their own places. Cost O(cells + edges). */
     public Region region() {
         if (region == null) {
-            spans();
-            Standing standing = new Standing(scene, actor, columns, spans);
-            standing.bodies();
-            standing.feet();
-            Crossings crossings = actor.stride().isPresent() || actor.vault().isPresent()
-                    ? new CrossingFinder(scene, actor, columns, spans, standing).find()
-                    : Crossings.NONE;
-            standing.forbid();
-            region = new Region(
-                    actor, spans, standing, crossings, new Clearance(scene, actor, columns, spans, standing.rims()));
+            region = new Region(structure(), structure().movables());
         }
         return region;
     }
 
-    /** Tells whether an obstacle reaches into the stretch of a body of {@code bodyHeight} on a floor. */
-    static boolean blocks(Obstacle obstacle, double floor, double stepHeight, double bodyHeight) {
-        return obstacle.offset() < floor + bodyHeight - Column.SAME
-                && obstacle.top() > floor + stepHeight + Column.SAME;
+    private Structure structure() {
+        if (structure == null) {
+            spans();
+            structure = Structure.of(scene, actor, columns, spans);
+        }
+        return structure;
+    }
+
+    /**
+     * Finds the region that bounds all that can arise by moving obstacles; the very object of {@link #region} if
+     * none can be moved, because the actor cannot or the scene has none to move.
+     */
+    public Region widest() {
+        if (widest == null) {
+            widest = actor.move().isPresent() && scene.obstacles().stream().anyMatch(Obstacle::movable)
+                    ? new Region(structure(), new Solid[scene.obstacles().size()])
+                    : region();
+        }
+        return widest;
     }
 
     static int standingBits(Actor actor) {

@@ -37,14 +37,15 @@ final class Rims {
     private double[] cuts = new double[16];
 
     /**
-     * Cuts the outlines of the ditches and, if {@code obstacles}, of the obstacles too; without them the
+     * Cuts the outlines of the ditches and, if {@code obstacles}, of the immovable obstacles too; without them the
      * columns hold ground only.
      */
     Rims(Scene scene, Columns columns, boolean obstacles) {
         this.world = scene.world();
         this.columns = columns;
         this.ditches = scene.ditches();
-        this.obstacles = obstacles ? scene.obstacles() : List.of();
+        this.obstacles =
+                obstacles ? scene.obstacles().stream().filter(o -> !o.movable()).toList() : List.of();
         ditches.forEach(d -> outlines.add(d.outline()));
         this.obstacles.forEach(o -> outlines.add(o.outline()));
         List<List<Integer>> meeting = meeting();

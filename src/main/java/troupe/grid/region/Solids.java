@@ -10,12 +10,11 @@ import troupe.grid.Window;
 import troupe.grid.layer.Column;
 import troupe.grid.layer.Columns;
 import troupe.scene.Actor;
-import troupe.scene.Obstacle;
 import troupe.scene.Scene;
 
 /**
- * Asks, for a take-off floor, which solids come within the walk radius of the cells of a window: all
- * obstacles, the ground beside ditches, and the world's edge. As for standing bodies, a radius under
+ * Asks, for a take-off floor, which solids come within the walk radius of the cells of a window: the
+ * obstacles that are there, the ground beside ditches, and the world's edge. As for standing bodies, a radius under
  * {@link Standing#TOUCHING} cells takes in the cells that an outline touches.
  */
 final class Solids {
@@ -30,30 +29,21 @@ final class Solids {
     private final CellRuns runs;
     private final double radius;
     private final boolean touching;
-    private final Window[] boxes;
-    private final int[][] outlines;
-    private final int[][] covers;
+    private final List<Solid> all;
     private final double[] grounds;
     private final List<Integer> walls;
     private int[] edge;
 
-    Solids(Scene scene, Actor actor, Columns columns, Standing standing, GridFrame frame) {
+    Solids(Scene scene, Actor actor, Columns columns, Rims rims, List<Solid> all, GridFrame frame) {
         this.scene = scene;
         this.actor = actor;
         this.columns = columns;
-        this.rims = standing.rims();
+        this.rims = rims;
         this.frame = frame;
         this.runs = new CellRuns(frame);
         this.radius = actor.walk().radius();
         this.touching = radius < Standing.TOUCHING * frame.cell();
-        int count = scene.obstacles().size();
-        this.boxes = new Window[count];
-        this.outlines = standing.walkRuns();
-        this.covers = new int[count][];
-        for (int i = 0; i < count; i++) {
-            boxes[i] =
-                    Window.of(frame, scene.obstacles().get(i).outline().bounds().grown(radius));
-        }
+        this.all = all;
         this.grounds = new double[columns.count()];
         for (int id = 0; id < grounds.length; id++) {
             grounds[id] = columns.column(id).ground();
@@ -71,10 +61,10 @@ final class Solids {
         Window.Stretch clear = (from, to) -> java.util.Arrays.fill(mask, from, to, (byte) 0);
         worldEdge(window);
         window.each(runs, frame, clear);
-        for (int i = 0; i < boxes.length; i++) {
-            if (boxes[i].meets(window)
-                    && RegionBuilder.blocks(scene.obstacles().get(i), floor, actor.stepHeight(), actor.bodyHeight())) {
-                outline(i);
+        for (Solid solid : all) {
+            if (solid.box().meets(window) && solid.blocks(floor)) {
+                runs.clear();
+                runs.add(solid.barsGaps());
                 window.each(runs, frame, clear);
             }
         }
@@ -114,33 +104,6 @@ final class Solids {
         }
     }
 
-    /** Puts the cells near an obstacle's outline into the runs. */
-    private void outline(int obstacle) {
-        runs.clear();
-        if (outlines[obstacle] == null) {
-            Polygon outline = scene.obstacles().get(obstacle).outline();
-            runs.near(outline, radius);
-            if (touching) {
-                runs.touch(outline);
-            }
-            outlines[obstacle] = runs.copy();
-        } else {
-            runs.add(outlines[obstacle]);
-        }
-    }
-
-    /** Puts the cells near an obstacle's outline and those inside it into the runs. */
-    private void covered(int obstacle) {
-        if (covers[obstacle] == null) {
-            outline(obstacle);
-            runs.fill(scene.obstacles().get(obstacle).outline());
-            covers[obstacle] = runs.copy();
-        } else {
-            runs.clear();
-            runs.add(covers[obstacle]);
-        }
-    }
-
     /** Puts the cells near a piece into the runs. */
     private void piece(int i) {
         runs.clear();
@@ -154,23 +117,18 @@ final class Solids {
     List<Box> vaultable(double floor, Actor.Vault vault) {
         List<Box> boxes = new ArrayList<>();
         double margin = radius + frame.cell();
-        for (Obstacle obstacle : scene.obstacles()) {
-            if (RegionBuilder.blocks(obstacle, floor, actor.stepHeight(), actor.bodyHeight())
-                    && inRange(obstacle.top(), floor, vault)) {
-                boxes.add(obstacle.outline().bounds().grown(margin));
+        for (Solid solid : all) {
+            if (solid.blocks(floor) && solid.inRange(floor, vault)) {
+                boxes.add(solid.outline().bounds().grown(margin));
             }
         }
         for (double ground : grounds) {
-            if (inRange(ground, floor, vault)) {
+            if (Solid.inRange(ground, floor, vault)) {
                 return List.of(
                         new Box(0, 0, scene.world().width(), scene.world().depth()));
             }
         }
         return boxes;
-    }
-
-    private static boolean inRange(double top, double floor, Actor.Vault vault) {
-        return top >= floor + vault.minHeight() - Column.SAME && top <= floor + vault.maxHeight() + Column.SAME;
     }
 
     /**
@@ -180,42 +138,40 @@ final class Solids {
      * @return whether there are any
      */
     boolean vaultable(double floor, Actor.Vault vault, Window window, byte[] mask) {
-        List<Integer> low = new ArrayList<>();
-        for (int n = 0; n < boxes.length; n++) {
-            Obstacle obstacle = scene.obstacles().get(n);
-            if (boxes[n].meets(window) && stands(obstacle, floor) && inRange(obstacle.top(), floor, vault)) {
-                low.add(n);
+        List<Solid> low = new ArrayList<>();
+        for (Solid solid : all) {
+            if (solid.box().meets(window) && solid.blocks(floor) && solid.inRange(floor, vault)) {
+                low.add(solid);
             }
         }
         boolean flat = scene.ditches().isEmpty();
-        List<Integer> above = new ArrayList<>();
-        List<Integer> inTheWay = new ArrayList<>();
-        for (int n = 0; n < boxes.length; n++) {
-            Obstacle obstacle = scene.obstacles().get(n);
-            if (!boxes[n].meets(window) || flat && !meetsAny(n, low)) {
+        List<Solid> above = new ArrayList<>();
+        List<Solid> inTheWay = new ArrayList<>();
+        for (Solid solid : all) {
+            double offset = solid.obstacle().offset();
+            if (!solid.box().meets(window) || flat && !meetsAny(solid, low)) {
                 continue;
             }
-            if (stands(obstacle, floor)) {
-                inTheWay.add(n);
-            } else if (obstacle.offset() >= floor + actor.bodyHeight() - Column.SAME
-                    && obstacle.offset() < floor + vault.maxHeight() + vault.bodyHeight()
-                    && !inRange(obstacle.top(), floor, vault)) {
-                above.add(n);
+            if (solid.blocks(floor)) {
+                inTheWay.add(solid);
+            } else if (offset >= floor + actor.bodyHeight() - Column.SAME
+                    && offset < floor + vault.maxHeight() + vault.bodyHeight()
+                    && !solid.inRange(floor, vault)) {
+                above.add(solid);
             }
         }
         double[] highest = new double[above.isEmpty() ? 0 : window.size()];
         ground(floor, vault, window, mask, highest);
-        for (int n : inTheWay) {
-            double top = scene.obstacles().get(n).top();
-            covered(n);
-            hit(top, inRange(top, floor, vault), window, mask, highest);
+        for (Solid solid : inTheWay) {
+            covered(solid);
+            hit(solid.top(), solid.inRange(floor, vault), window, mask, highest);
         }
-        for (int n : above) {
-            Obstacle obstacle = scene.obstacles().get(n);
-            covered(n);
+        for (Solid solid : above) {
+            double offset = solid.obstacle().offset();
+            covered(solid);
             window.each(runs, frame, (from, to) -> {
                 for (int i = from; i < to; i++) {
-                    if (mask[i] == HIT && obstacle.offset() < highest[i] + vault.bodyHeight() - Column.SAME) {
+                    if (mask[i] == HIT && offset < highest[i] + vault.bodyHeight() - Column.SAME) {
                         mask[i] |= BAD;
                     }
                 }
@@ -229,14 +185,15 @@ final class Solids {
         return any != 0;
     }
 
-    private boolean stands(Obstacle obstacle, double floor) {
-        return RegionBuilder.blocks(obstacle, floor, actor.stepHeight(), actor.bodyHeight());
+    private void covered(Solid solid) {
+        runs.clear();
+        runs.add(solid.cover());
     }
 
-    /** Tells whether an obstacle's box meets that of any of some others, or it is one of them. */
-    private boolean meetsAny(int obstacle, List<Integer> others) {
-        for (int other : others) {
-            if (boxes[obstacle].meets(boxes[other])) {
+    /** Tells whether a solid's box meets that of any of some others, or it is one of them. */
+    private static boolean meetsAny(Solid solid, List<Solid> others) {
+        for (Solid other : others) {
+            if (solid.box().meets(other.box())) {
                 return true;
             }
         }
@@ -254,7 +211,7 @@ final class Solids {
             for (int i = row * window.cols(), end = i + window.cols(); i < end; i++, cell++) {
                 double ground = grounds[at[cell]];
                 if (ground > limit) {
-                    mask[i] |= inRange(ground, floor, vault) ? HIT : HIT | BAD;
+                    mask[i] |= Solid.inRange(ground, floor, vault) ? HIT : HIT | BAD;
                     if (highest.length > 0) {
                         highest[i] = ground;
                     }
@@ -265,7 +222,7 @@ final class Solids {
             for (double ground : new double[] {leftGround(i), rightGround(i)}) {
                 if (ground > limit) {
                     piece(i);
-                    hit(ground, inRange(ground, floor, vault), window, mask, highest);
+                    hit(ground, Solid.inRange(ground, floor, vault), window, mask, highest);
                 }
             }
         }

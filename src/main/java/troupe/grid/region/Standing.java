@@ -8,7 +8,6 @@ import troupe.grid.layer.Columns;
 import troupe.grid.layer.Spans;
 import troupe.scene.Ability;
 import troupe.scene.Actor;
-import troupe.scene.Obstacle;
 import troupe.scene.Scene;
 
 /**
@@ -36,9 +35,10 @@ final class Standing {
     private final int cells;
     private final byte[] abilities;
     private final byte[] kinds;
-    private final int[][] walkRuns;
+    private final Solid[] solids;
 
-    Standing(Scene scene, Actor actor, Columns columns, Spans spans) {
+    /** Prepares the passes; {@code solids} are the immovable obstacles, null for movable ones. */
+    Standing(Scene scene, Actor actor, Columns columns, Spans spans, Solid[] solids) {
         this.scene = scene;
         this.actor = actor;
         this.columns = columns;
@@ -47,7 +47,7 @@ final class Standing {
         this.cells = spans.frame().size();
         this.abilities = new byte[spans.size()];
         this.kinds = new byte[spans.size()];
-        this.walkRuns = new int[scene.obstacles().size()][];
+        this.solids = solids;
     }
 
     /** Finds which abilities have room on each span. */
@@ -64,20 +64,44 @@ final class Standing {
             ditchWalls(runs, s.radius(), sidestep);
         });
         boolean[] blocked = new boolean[spans.levels()];
-        for (int n = 0; n < walkRuns.length; n++) {
-            Obstacle obstacle = scene.obstacles().get(n);
-            boolean any = false;
-            for (int level = 0; level < blocked.length; level++) {
-                blocked[level] =
-                        RegionBuilder.blocks(obstacle, spans.elevation(level), actor.stepHeight(), actor.bodyHeight());
-                any |= blocked[level];
-            }
-            if (any) {
-                outline(runs, obstacle.outline(), blocked, walkRadius, walk);
-                walkRuns[n] = runs.copy();
-                actor.sidestep().ifPresent(s -> outline(runs, obstacle.outline(), blocked, s.radius(), sidestep));
+        for (Solid solid : solids) {
+            if (solid != null && blocked(solid, blocked)) {
+                runs.clear();
+                runs.add(solid.near());
+                take(runs, blocked, walk);
+                actor.sidestep().ifPresent(s -> outline(runs, solid.outline(), blocked, s.radius(), sidestep));
             }
         }
+    }
+
+    /** Finds the levels on which a solid is in the way of a body; returns whether there are any. */
+    private boolean blocked(Solid solid, boolean[] blocked) {
+        boolean any = false;
+        for (int level = 0; level < blocked.length; level++) {
+            blocked[level] = solid.blocks(spans.elevation(level));
+            any |= blocked[level];
+        }
+        return any;
+    }
+
+    /** Returns the ability bits of each span where movable obstacles stand; a new array. */
+    byte[] abilities(Solid[] movables) {
+        byte[] left = abilities.clone();
+        CellRuns runs = new CellRuns(spans.frame());
+        boolean[] blocked = new boolean[spans.levels()];
+        for (Solid solid : movables) {
+            if (solid != null && blocked(solid, blocked)) {
+                runs.clear();
+                runs.add(solid.cover());
+                take(left, runs, blocked, Ability.WALK.bit());
+                if (actor.sidestep().isPresent()) {
+                    runs.clear();
+                    runs.add(solid.sidestepCover());
+                    take(left, runs, blocked, Ability.SIDESTEP.bit());
+                }
+            }
+        }
+        return left;
     }
 
     /** Gives every span its kind and the abilities whose bodies fit under its ceiling. */
@@ -208,6 +232,10 @@ final class Standing {
 
     /** Takes an ability from the spans of the runs' cells whose floor is one of the blocked levels. */
     private void take(CellRuns runs, boolean[] blocked, int bit) {
+        take(abilities, runs, blocked, bit);
+    }
+
+    private void take(byte[] abilities, CellRuns runs, boolean[] blocked, int bit) {
         int[] at = spans.columnAt();
         int sheets = spans.sheets();
         for (int i = 0; i < runs.size(); i++) {
@@ -227,14 +255,6 @@ final class Standing {
         return rims;
     }
 
-    /**
-     * Returns for each obstacle the cells within the walk radius of its outline, as runs of {@link CellRuns},
-     * null where no floor has been asked for them; the array itself.
-     */
-    int[][] walkRuns() {
-        return walkRuns;
-    }
-
     /** Returns the ability bits of each span; the array itself. */
     byte[] abilities() {
         return abilities;
@@ -245,20 +265,8 @@ final class Standing {
         return kinds;
     }
 
-    /** Makes the spans on which no ability has room forbidden. */
-    void forbid() {
-        for (int q = 0; q < kinds.length; q++) {
-            if (abilities[q] == 0 && kinds[q] != Kind.ABSENT) {
-                kinds[q] = Kind.FORBIDDEN;
-            }
-        }
-    }
-
-    /** Returns the ability bits of each span and then of each crossing. */
-    byte[] abilities(Crossings crossings) {
-        if (crossings.size() == 0) {
-            return abilities;
-        }
+    /** Returns given ability bits of each span and then those of each crossing. */
+    static byte[] abilities(byte[] abilities, Crossings crossings) {
         byte[] all = Arrays.copyOf(abilities, abilities.length + crossings.size());
         for (int i = 0; i < crossings.size(); i++) {
             Ability ability = crossings.kind(i) == Kind.GAP ? Ability.STRIDE : Ability.VAULT;
@@ -267,12 +275,14 @@ final class Standing {
         return all;
     }
 
-    /** Returns the kind of each span and then of each crossing. */
+    /** Returns the kind of each span, forbidden also where no ability has room, and then of each crossing. */
     byte[] kinds(Crossings crossings) {
-        if (crossings.size() == 0) {
-            return kinds;
-        }
         byte[] all = Arrays.copyOf(kinds, kinds.length + crossings.size());
+        for (int q = 0; q < kinds.length; q++) {
+            if (abilities[q] == 0 && kinds[q] != Kind.ABSENT) {
+                all[q] = Kind.FORBIDDEN;
+            }
+        }
         for (int i = 0; i < crossings.size(); i++) {
             all[kinds.length + i] = crossings.kind(i);
         }

@@ -31,13 +31,14 @@ public final class SweptBody {
         this.world = scene.world();
         this.actor = actor;
         this.obstacles = scene.obstacles().toArray(new Obstacle[0]);
-        this.floors = new FloorEdges(scene.obstacles(), scene.ditches());
+        this.floors = new FloorEdges(
+                scene.obstacles().stream().filter(o -> !o.movable()).toList(), scene.ditches());
     }
 
     /**
      * Tells whether a cylinder of {@code radius} that stands on {@code floor} can be carried from a to b:
-     * no solid that meets the open stretch (floor + step, floor + body height), and no edge of the world,
-     * comes nearer to the line than the radius.
+     * no solid that meets the open stretch (floor + step, floor + body height), for a movable one (floor, floor +
+     * body height), and no edge of the world, comes nearer to the line than the radius.
      */
     public boolean fits(Line line, double floor, double radius) {
         return insideWorld(line.ax(), line.ay(), radius)
@@ -71,7 +72,7 @@ public final class SweptBody {
                 (x, y) -> Math.abs(floors.floorAt(x, y, reach) - floor) > tolerance + SLACK);
     }
 
-    /** Returns the elevation of the floor at a point: the highest top not above {@code floor} plus a step. */
+    /** Returns the elevation of the floor at a point: the highest immovable top not above {@code floor} plus a step. */
     public double floorAt(double x, double y, double floor) {
         return floors.floorAt(x, y, floor + actor.stepHeight() + SLACK);
     }
@@ -82,11 +83,10 @@ public final class SweptBody {
     }
 
     private boolean clearsObstacles(Line line, double floor, double radius) {
-        double low = floor + actor.stepHeight();
         double high = floor + actor.bodyHeight();
         Box box = line.bounds().grown(radius);
         for (Obstacle o : obstacles) {
-            if (o.top() > low + SLACK
+            if (o.top() > low(o, floor) + SLACK
                     && o.offset() < high - SLACK
                     && o.outline().bounds().meets(box)
                     && isNear(o.outline(), line, radius)) {
@@ -94,6 +94,11 @@ public final class SweptBody {
             }
         }
         return true;
+    }
+
+    /** Returns from where on an obstacle is in the way: nobody treads on a movable one, however low. */
+    private double low(Obstacle o, double floor) {
+        return o.movable() ? floor : floor + actor.stepHeight();
     }
 
     /** The ground itself is a wall for someone down in a ditch. */
@@ -115,12 +120,11 @@ public final class SweptBody {
      * line, highest top first (ties: document order).
      */
     public List<Obstacle> inTheWay(Line line, double floor) {
-        double low = floor + actor.stepHeight();
         double high = floor + actor.bodyHeight();
         double radius = Math.max(actor.walk().radius(), SLACK);
         List<Obstacle> met = new ArrayList<>();
         for (Obstacle o : obstacles) {
-            if (o.top() > low + SLACK && o.offset() < high - SLACK && isNear(o.outline(), line, radius)) {
+            if (o.top() > low(o, floor) + SLACK && o.offset() < high - SLACK && isNear(o.outline(), line, radius)) {
                 met.add(o);
             }
         }

@@ -205,7 +205,7 @@ class CrossingOracleTest {
             List<double[]> solids = new ArrayList<>();
             for (Obstacle o : scene.obstacles()) {
                 if (inWay(o.outline(), cell)) {
-                    solids.add(new double[] {o.offset(), o.top()});
+                    solids.add(new double[] {o.offset(), o.top(), o.movable() ? floor : floor + actor.stepHeight()});
                 }
             }
             TreeSet<Double> grounds = new TreeSet<>(List.of(0.0));
@@ -214,19 +214,19 @@ class CrossingOracleTest {
                 if (ground > floor + actor.stepHeight() + 1e-9
                         && places.groundAt(
                                 x(cell), y(cell), ground, actor.walk().radius())) {
-                    solids.add(new double[] {-1e9, ground});
+                    solids.add(new double[] {-1e9, ground, floor + actor.stepHeight()});
                 }
             }
             double top = Double.NEGATIVE_INFINITY;
             for (double[] s : solids) {
-                if (places.meets(s[0], s[1], floor + actor.stepHeight(), floor + actor.bodyHeight())) {
+                if (places.meets(s[0], s[1], s[2], floor + actor.bodyHeight())) {
                     top = Math.max(top, s[1]);
                 }
             }
             double high = Math.max(floor + actor.bodyHeight(), top + vault.bodyHeight());
             boolean any = top > Double.NEGATIVE_INFINITY;
             for (double[] s : solids) {
-                if (places.meets(s[0], s[1], floor + actor.stepHeight(), high)) {
+                if (places.meets(s[0], s[1], s[2], high)) {
                     any &= s[1] >= floor + vault.minHeight() - 1e-9 && s[1] <= floor + vault.maxHeight() + 1e-9;
                 }
             }

@@ -28,7 +28,7 @@ final class SlowRegion {
     /** A free stretch of a column. */
     record Stretch(double floor, double ceiling) {}
 
-    private record Solid(double bottom, double top, boolean standable) {}
+    private record Solid(double bottom, double top) {}
 
     boolean outside(double x, double y) {
         return !(x >= 0
@@ -47,13 +47,13 @@ final class SlowRegion {
         return ground;
     }
 
-    /** Returns the merged solids over a point, from below. */
+    /** Returns the merged solids over a point, from below; movable obstacles are none. */
     private List<Solid> solids(double x, double y) {
         List<Solid> all = new ArrayList<>();
-        all.add(new Solid(-1e9, ground(x, y), true));
+        all.add(new Solid(-1e9, ground(x, y)));
         for (Obstacle o : scene.obstacles()) {
-            if (o.outline().contains(x, y)) {
-                all.add(new Solid(o.offset(), o.top(), !o.movable()));
+            if (!o.movable() && o.outline().contains(x, y)) {
+                all.add(new Solid(o.offset(), o.top()));
             }
         }
         all.sort(Comparator.comparingDouble(Solid::bottom).thenComparingDouble(Solid::top));
@@ -64,10 +64,7 @@ final class SlowRegion {
                 merged.add(s);
                 continue;
             }
-            boolean standable = s.top() > last.top()
-                    ? s.standable()
-                    : s.top() == last.top() ? s.standable() && last.standable() : last.standable();
-            merged.set(merged.size() - 1, new Solid(last.bottom(), Math.max(s.top(), last.top()), standable));
+            merged.set(merged.size() - 1, new Solid(last.bottom(), Math.max(s.top(), last.top())));
         }
         return merged;
     }
@@ -84,7 +81,7 @@ final class SlowRegion {
         List<Solid> solids = solids(x, y);
         for (int i = 0; i < solids.size(); i++) {
             double ceiling = i + 1 < solids.size() ? solids.get(i + 1).bottom() : Double.POSITIVE_INFINITY;
-            if (solids.get(i).standable() && ceiling - solids.get(i).top() >= body - SAME) {
+            if (ceiling - solids.get(i).top() >= body - SAME) {
                 spans.add(new Stretch(solids.get(i).top(), ceiling));
             }
         }
@@ -96,7 +93,8 @@ final class SlowRegion {
     }
 
     boolean blocks(Obstacle o, double floor) {
-        return meets(o.offset(), o.top(), floor + actor.stepHeight(), floor + actor.bodyHeight());
+        double low = o.movable() ? floor : floor + actor.stepHeight();
+        return meets(o.offset(), o.top(), low, floor + actor.bodyHeight());
     }
 
     /** Returns the distance from a point to the world's edge and to the obstacles in a body's way; ground left out. */
