@@ -101,8 +101,11 @@ public final class SweptBody {
         return o.movable() ? floor : floor + actor.stepHeight();
     }
 
-    /** The ground itself is a wall for someone down in a ditch. */
-    private boolean clearsGround(Line line, double floor, double radius) {
+    /**
+     * Tells whether the ground, a wall for someone down in a ditch, keeps {@code radius} from the line where
+     * it is higher than a step above {@code floor}.
+     */
+    public boolean clearsGround(Line line, double floor, double radius) {
         double low = floor + actor.stepHeight() + SLACK;
         return low >= 0 || !floors.meets(line, radius - SLACK, (x, y) -> floors.groundAt(x, y) > low);
     }

@@ -1,0 +1,334 @@
+package troupe.unified.manipulation;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import troupe.grid.GridFrame;
+import troupe.search.BestFirst;
+import troupe.search.Expander;
+import troupe.search.MinHeap;
+import troupe.search.OpenList;
+import troupe.search.Outcome;
+
+/**
+ * Searches for the cheapest place to which an obstacle can be moved so that it does not bar an expected
+ * path: a uniform-cost search over the poses of its lattice, from where it stands to the first pose that
+ * bars nothing (with a grip: and where the actor can let go). Moves are tried in the order east, north,
+ * west, south, north-east, north-west, south-west, south-east, counter-clockwise, clockwise; poses of equal
+ * cost are taken in the order in which they were added. It can pause after any expansion; how it is sliced
+ * changes nothing. Used by one thread at a time.
+ *
+ * <p>With two headings an obstacle is turned counter-clockwise only, so that two poses tell the motion
+ * between them; with one it is not turned.
+ *
+ * <p>Source: Unified section 6.3. The paper's search is not specified further; cost, sweeps on polygons and
+ * support are ours.
+ */
+public final class Instance {
+    private static final int STRAIGHT = 4;
+    private static final int UNSUPPORTED = -2;
+
+    private final Question question;
+    private final Movable movable;
+    private final ConfigurationSpace barred;
+    private final Grip grip;
+    private final Sweeps sweeps;
+    private final Support support;
+    private final int headings;
+    private final int cols;
+    private final int rows;
+    private final int homeCol;
+    private final int homeRow;
+    private final long[] shiftCosts = new long[GridFrame.DIRECTIONS];
+    private final PoseTable table;
+    private final OpenList open = new MinHeap(256);
+    private final BestFirst search;
+
+    private int size;
+    private int[] cells = new int[256];
+    private int[] turns = new int[256];
+    private int[] parents = new int[256];
+    private int[] stands = new int[256];
+    private long[] costs = new long[256];
+    private int reached = -1;
+
+    /** Prepares the search; the first expansion takes the pose in which the obstacle stands. */
+    public Instance(Question question) {
+        this.question = question;
+        movable = question.movable();
+        barred = question.barred();
+        grip = question.grip().orElse(null);
+        sweeps = question.surroundings().sweeps(movable);
+        support = question.surroundings().support(movable);
+        headings = movable.headings();
+        GridFrame frame = barred.path().frame();
+        cols = frame.cols();
+        rows = frame.rows();
+        homeCol = frame.colAt(movable.centroid().x());
+        homeRow = frame.rowAt(movable.centroid().y());
+        Prices prices = question.prices();
+        for (int d = 0; d < shiftCosts.length; d++) {
+            shiftCosts[d] = d < STRAIGHT ? prices.straight() : prices.diagonal();
+            if (grip != null) {
+                shiftCosts[d] = Prices.sum(shiftCosts[d], d < STRAIGHT ? prices.walkStraight() : prices.walkDiagonal());
+            }
+        }
+        table = new PoseTable(cols, headings * (grip == null ? 1 : grip.sheets()));
+        search = new BestFirst(
+                open,
+                this::expand,
+                new Outcome.Infeasible(movable.obstacle().id() + " cannot be moved out of the way"),
+                Long.MAX_VALUE);
+        label(table.slot(homeCol, homeRow, state(0, question.trigger())), homeCol, homeRow, 0, question.trigger());
+        relabel(0, -1, question.trigger(), 0);
+    }
+
+    /** Returns what is asked. */
+    public Question question() {
+        return question;
+    }
+
+    /**
+     * Goes on until {@code budget} expansions are done, the search has ended, or no pose that is open costs
+     * {@code most} or less. Returns the number of expansions done; where it stops changes no result.
+     *
+     * @param budget from 0
+     * @param most in units of the prices
+     */
+    public long advance(long budget, long most) {
+        long before = search.expanded();
+        while (outcome().isRunning() && search.expanded() - before < budget) {
+            if (!open.isEmpty() && open.firstKey() > most) {
+                break;
+            }
+            search.step(1);
+        }
+        return search.expanded() - before;
+    }
+
+    /** Returns how the search stands: running, found, or infeasible if the obstacle cannot be moved out of the way. */
+    public Outcome outcome() {
+        return search.outcome();
+    }
+
+    /**
+     * Returns a lower bound in units on the cost of the result: the cost itself when found, the least of the
+     * open poses while running, {@link Long#MAX_VALUE} if there is no result.
+     */
+    public long least() {
+        if (reached >= 0) {
+            return costs[reached];
+        }
+        return outcome().isRunning() && !open.isEmpty() ? open.firstKey() : Long.MAX_VALUE;
+    }
+
+    /** Returns the expansions so far. */
+    public long expanded() {
+        return search.expanded();
+    }
+
+    /**
+     * Returns the cost in units: of moving the obstacle, and with a grip of walking with it.
+     *
+     * @throws IllegalStateException unless found
+     */
+    public long cost() {
+        requireFound();
+        return costs[reached];
+    }
+
+    /**
+     * Returns the least share, from 0 to 1, that moving the obstacle has in the cost of a move: with a grip
+     * the rest is walking. For a turn the actor's walk is taken at its most.
+     */
+    public double obstacleShare() {
+        if (grip == null) {
+            return 1;
+        }
+        Prices prices = question.prices();
+        double straight = share(prices.straight(), prices.walkStraight());
+        double diagonal = share(prices.diagonal(), prices.walkDiagonal());
+        double turn = share(prices.turn(), (double) grip.parts() * prices.walkDiagonal());
+        return Math.min(straight, Math.min(diagonal, turn));
+    }
+
+    private static double share(double moving, double walking) {
+        return moving + walking == 0 ? 1 : moving / (moving + walking);
+    }
+
+    /**
+     * Returns how the obstacle was moved. Cost O(its moves).
+     *
+     * @throws IllegalStateException unless found
+     */
+    public Transfer transfer() {
+        requireFound();
+        List<LatticePose> poses = new ArrayList<>();
+        for (int label = reached; label >= 0; label = parents[label]) {
+            poses.add(new LatticePose(cells[label] % cols - homeCol, cells[label] / cols - homeRow, turns[label]));
+        }
+        Collections.reverse(poses);
+        int straight = 0;
+        int diagonal = 0;
+        int turned = 0;
+        int straightSteps = 0;
+        int diagonalSteps = 0;
+        for (int n = 1; n < poses.size(); n++) {
+            LatticePose a = poses.get(n - 1);
+            LatticePose b = poses.get(n);
+            if (a.k() != b.k()) {
+                turned++;
+                int lower = (a.k() + 1) % headings == b.k() ? a.k() : b.k();
+                straightSteps += grip == null ? 0 : grip.straightSteps(lower);
+                diagonalSteps += grip == null ? 0 : grip.diagonalSteps(lower);
+            } else if (a.i() != b.i() && a.j() != b.j()) {
+                diagonal++;
+            } else {
+                straight++;
+            }
+        }
+        double cell = movable.cell();
+        double walked =
+                grip == null ? 0 : (straight + straightSteps) * cell + (diagonal + diagonalSteps) * cell * Math.sqrt(2);
+        return new Transfer(
+                movable.number(),
+                grip != null,
+                question.trigger(),
+                stands[reached],
+                poses,
+                (straight + diagonal * Math.sqrt(2)) * cell,
+                turned * movable.turn(),
+                walked);
+    }
+
+    private void requireFound() {
+        if (reached < 0) {
+            throw new IllegalStateException("outcome " + outcome().word() + "; only a search that found has a result");
+        }
+    }
+
+    private Expander.Verdict expand(int label, long key) {
+        if (key != costs[label]) {
+            return Expander.Verdict.SKIPPED;
+        }
+        int col = cells[label] % cols;
+        int row = cells[label] / cols;
+        int k = turns[label];
+        int i = col - homeCol;
+        int j = row - homeRow;
+        if (!barred.contains(i, j, k) && (grip == null || grip.settles(stands[label], i, j, k))) {
+            reached = label;
+            return Expander.Verdict.GOAL;
+        }
+        if (!sweeps.isFree()) {
+            return Expander.Verdict.EXPANDED;
+        }
+        sweeps.choose(i, j, k);
+        if (grip != null) {
+            grip.choose(stands[label], i, j, k);
+        }
+        for (int d = 0; d < GridFrame.DIRECTIONS; d++) {
+            shift(label, col, row, k, d);
+        }
+        if (headings > 1) {
+            turn(label, col, row, k, true);
+        }
+        if (headings > 2) {
+            turn(label, col, row, k, false);
+        }
+        return Expander.Verdict.EXPANDED;
+    }
+
+    private void shift(int label, int fromCol, int fromRow, int k, int direction) {
+        int col = fromCol + GridFrame.dx(direction);
+        int row = fromRow + GridFrame.dy(direction);
+        if (col < 0 || row < 0 || col >= cols || row >= rows) {
+            return;
+        }
+        int stand = grip == null ? stands[label] : grip.shifted(direction);
+        if (stand < 0) {
+            return;
+        }
+        long cost = Prices.sum(costs[label], shiftCosts[direction]);
+        int slot = table.slot(col, row, state(k, stand));
+        int known = table.get(slot);
+        if (isBetter(known, cost)
+                && sweeps.canShift(direction)
+                && (grip == null || grip.canShift(direction, stand))
+                && isSupported(known, slot, col, row, k)) {
+            take(known, slot, label, col, row, k, stand, cost);
+        }
+    }
+
+    private void turn(int label, int col, int row, int from, boolean counterClockwise) {
+        int k = counterClockwise ? (from + 1 == headings ? 0 : from + 1) : (from == 0 ? headings : from) - 1;
+        int stand = grip == null ? stands[label] : grip.turned(counterClockwise);
+        if (stand < 0) {
+            return;
+        }
+        long cost = Prices.sum(costs[label], turnCost(counterClockwise ? from : k));
+        int slot = table.slot(col, row, state(k, stand));
+        int known = table.get(slot);
+        if (isBetter(known, cost)
+                && sweeps.canTurn(counterClockwise)
+                && (grip == null || grip.canTurn(counterClockwise))
+                && isSupported(known, slot, col, row, k)) {
+            take(known, slot, label, col, row, k, stand, cost);
+        }
+    }
+
+    /** Returns the cost of the turn between heading {@code lower} and the next. */
+    private long turnCost(int lower) {
+        Prices prices = question.prices();
+        if (grip == null) {
+            return prices.turn();
+        }
+        long straight = Prices.times(grip.straightSteps(lower), prices.walkStraight());
+        long diagonal = Prices.times(grip.diagonalSteps(lower), prices.walkDiagonal());
+        return Prices.sum(prices.turn(), Prices.sum(straight, diagonal));
+    }
+
+    private int state(int k, int stand) {
+        return grip == null ? k : grip.sheet(stand) * headings + k;
+    }
+
+    private boolean isBetter(int known, long cost) {
+        return cost < Prices.BLOCKED && known != UNSUPPORTED && (known < 0 || cost < costs[known]);
+    }
+
+    private boolean isSupported(int known, int slot, int col, int row, int k) {
+        if (known >= 0 || support.rests(col - homeCol, row - homeRow, k)) {
+            return true;
+        }
+        table.set(slot, UNSUPPORTED);
+        return false;
+    }
+
+    private void take(int known, int slot, int parent, int col, int row, int k, int stand, long cost) {
+        int label = known >= 0 ? known : label(slot, col, row, k, stand);
+        relabel(label, parent, stand, cost);
+    }
+
+    private int label(int slot, int col, int row, int k, int stand) {
+        if (size == cells.length) {
+            int capacity = Math.addExact(size, size);
+            cells = Arrays.copyOf(cells, capacity);
+            turns = Arrays.copyOf(turns, capacity);
+            parents = Arrays.copyOf(parents, capacity);
+            stands = Arrays.copyOf(stands, capacity);
+            costs = Arrays.copyOf(costs, capacity);
+        }
+        cells[size] = row * cols + col;
+        turns[size] = k;
+        table.set(slot, size);
+        return size++;
+    }
+
+    private void relabel(int label, int parent, int stand, long cost) {
+        parents[label] = parent;
+        stands[label] = stand;
+        costs[label] = cost;
+        open.add(label, cost, cost);
+    }
+}

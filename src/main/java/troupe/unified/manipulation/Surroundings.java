@@ -1,0 +1,121 @@
+package troupe.unified.manipulation;
+
+import java.util.ArrayList;
+import java.util.List;
+import troupe.geometry.Overlap;
+import troupe.geometry.Polygon;
+import troupe.scene.Obstacle;
+import troupe.scene.Scene;
+
+/**
+ * Knows where every obstacle of one search space stands, what bars the motion of one of them, and whether
+ * it can be moved at all. The obstacles stay as they are; what is worked out for an obstacle is kept. Used
+ * by one thread at a time.
+ */
+public final class Surroundings {
+    private static final double SLACK = 1e-9;
+
+    private final Scene scene;
+    private final Polygon[] outlines;
+    private final boolean[] moved;
+    private final Support[] supports;
+    private final Sweeps[] sweeps;
+
+    /** Makes the surroundings of the scene as it is: nothing has been moved. */
+    public Surroundings(Scene scene) {
+        this(
+                scene,
+                scene.obstacles().stream().map(Obstacle::outline).toArray(Polygon[]::new),
+                new boolean[scene.obstacles().size()],
+                new Support[scene.obstacles().size()]);
+    }
+
+    private Surroundings(Scene scene, Polygon[] outlines, boolean[] moved, Support[] supports) {
+        this.scene = scene;
+        this.outlines = outlines;
+        this.moved = moved;
+        this.supports = supports;
+        this.sweeps = new Sweeps[outlines.length];
+    }
+
+    /** Returns these surroundings with an obstacle, by its number, moved for good. Cost O(obstacles). */
+    public Surroundings with(int obstacle, Polygon outline) {
+        Polygon[] shifted = outlines.clone();
+        shifted[obstacle] = outline;
+        boolean[] fixed = moved.clone();
+        fixed[obstacle] = true;
+        return new Surroundings(scene, shifted, fixed, supports);
+    }
+
+    /** Returns the scene as it was given. */
+    public Scene scene() {
+        return scene;
+    }
+
+    /** Returns the number of obstacles. */
+    public int size() {
+        return outlines.length;
+    }
+
+    /** Returns where an obstacle stands. */
+    public Polygon outline(int obstacle) {
+        return outlines[obstacle];
+    }
+
+    /** Tells whether an obstacle has been moved. */
+    public boolean isMoved(int obstacle) {
+        return moved[obstacle];
+    }
+
+    /**
+     * Tells whether an obstacle can be moved here: it has not been moved, rests where it stands (its centroid
+     * and three fifths of its footprint), and carries no other. Cost O(obstacles).
+     */
+    public boolean canMove(Movable movable) {
+        return !moved[movable.number()]
+                && support(movable).rests(0, 0, 0)
+                && !carries(movable.number(), movable.obstacle().top());
+    }
+
+    private boolean carries(int obstacle, double top) {
+        for (int other = 0; other < outlines.length; other++) {
+            if (other != obstacle
+                    && Math.abs(scene.obstacles().get(other).offset() - top) <= SLACK
+                    && Overlap.of(outlines[obstacle], outlines[other])) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Returns what carries an obstacle. */
+    Support support(Movable movable) {
+        int n = movable.number();
+        if (supports[n] == null) {
+            supports[n] = new Support(scene, movable);
+        }
+        return supports[n];
+    }
+
+    /** Returns the outlines of the others that are as high as the obstacle somewhere: that it must not run into. */
+    List<Polygon> barriers(Movable movable) {
+        List<Polygon> found = new ArrayList<>();
+        Obstacle mover = movable.obstacle();
+        for (int other = 0; other < outlines.length; other++) {
+            Obstacle o = scene.obstacles().get(other);
+            if (other != movable.number() && o.offset() < mover.top() - SLACK && o.top() > mover.offset() + SLACK) {
+                found.add(outlines[other]);
+            }
+        }
+        return found;
+    }
+
+    /** Returns the motions that an obstacle has room for. */
+    Sweeps sweeps(Movable movable) {
+        int n = movable.number();
+        if (sweeps[n] == null) {
+            sweeps[n] = new Sweeps(movable, scene.world(), barriers(movable));
+        }
+        return sweeps[n];
+    }
+}
