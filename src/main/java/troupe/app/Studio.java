@@ -98,8 +98,8 @@ public final class Studio {
         }
 
         @Override
-        public List<Overlay> overlays(Scene scene, String task, Engine engine) {
-            List<Overlay> all = new ArrayList<>(engine.overlays());
+        public List<Overlay> overlays(Scene scene, String task, Engine engine, List<Integer> chosen) {
+            List<Overlay> all = new ArrayList<>(engine.overlays(chosen));
             Set<String> known = all.stream().map(Overlay::key).collect(Collectors.toSet());
             List<String> missing =
                     GridOverlays.KEYS.stream().filter(k -> !known.contains(k)).toList();

@@ -28,6 +28,7 @@ import troupe.app.look.Look;
 import troupe.app.look.SwingTheme;
 import troupe.app.look.Texts;
 import troupe.app.look.ThinDivider;
+import troupe.app.panel.AspectBar;
 import troupe.app.panel.ChipBar;
 import troupe.app.panel.InspectorPanel;
 import troupe.app.panel.OutlinePanel;
@@ -169,7 +170,13 @@ final class StudioWindow {
         ChipBar chips = new ChipBar(look, session);
         canvas.setLayout(new BorderLayout());
         chips.setBorder(javax.swing.BorderFactory.createEmptyBorder(10, 6, 10, 6));
-        canvas.add(chips, BorderLayout.NORTH);
+        AspectBar aspects = new AspectBar(look, session);
+        aspects.setBorder(javax.swing.BorderFactory.createEmptyBorder(10, 6, 10, 12));
+        JPanel above = new JPanel(new BorderLayout());
+        above.setOpaque(false);
+        above.add(chips, BorderLayout.CENTER);
+        above.add(aspects, BorderLayout.EAST);
+        canvas.add(above, BorderLayout.NORTH);
         canvas.pointers().add(status::pointAt);
         canvas.views().add(view -> status.zoom(canvas.zoomShare()));
         status.zoom(canvas.zoomShare());
@@ -188,7 +195,8 @@ final class StudioWindow {
                         inspector::close,
                         timeline::close,
                         status::close,
-                        chips::close),
+                        chips::close,
+                        aspects::close),
                 outline,
                 inspector,
                 timeline,

@@ -45,7 +45,7 @@ public final class ScriptedSteps implements PlanningSteps {
     }
 
     @Override
-    public List<Overlay> overlays(Scene scene, String task, Engine engine) {
-        return engine.overlays();
+    public List<Overlay> overlays(Scene scene, String task, Engine engine, List<Integer> chosen) {
+        return engine.overlays(chosen);
     }
 }

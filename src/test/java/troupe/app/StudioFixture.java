@@ -100,9 +100,9 @@ final class StudioFixture implements AutoCloseable {
         }
 
         @Override
-        public List<Overlay> overlays(Scene scene, String task, Engine engine) {
+        public List<Overlay> overlays(Scene scene, String task, Engine engine, List<Integer> chosen) {
             assertFalse(EventQueue.isDispatchThread());
-            return Studio.STEPS.overlays(scene, task, engine);
+            return Studio.STEPS.overlays(scene, task, engine, chosen);
         }
     };
 

@@ -84,6 +84,7 @@ final class Painters implements AutoCloseable {
     /** Returns a view without the lines that lie where no way leads to the goal, such as on the tops of walls. */
     private static Overlay leading(Plan plan, Overlay overlay) {
         if (!(overlay instanceof Overlay.Lines lines)
+                || !lines.key().equals("skeleton")
                 || plan.overlays().stream().noneMatch(o -> o.key().equals("potential"))) {
             return overlay;
         }

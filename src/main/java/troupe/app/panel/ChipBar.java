@@ -16,8 +16,18 @@ import troupe.run.Overlay;
 
 /** A chip for each view that can lie over the scene; those that do not fit are behind the last one. */
 public final class ChipBar extends Panel {
-    private static final List<String> FIRST =
-            List.of(OverlayChoice.PLAN, "skeleton", "potential", "region", "class", "clearance", "effort", "layers");
+    private static final List<String> FIRST = List.of(
+            OverlayChoice.PLAN,
+            "skeleton",
+            "potential",
+            "region",
+            "class",
+            "clearance",
+            "effort",
+            "triggers",
+            "expected-path",
+            "instance",
+            "layers");
     private static final int GAP = 6;
 
     private final transient Map<String, FlatButton> chips = new LinkedHashMap<>();

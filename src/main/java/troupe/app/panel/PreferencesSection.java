@@ -8,12 +8,15 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.UnaryOperator;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JSlider;
 import javax.swing.SwingConstants;
 import troupe.app.document.SceneEdits;
 import troupe.app.look.Look;
+import troupe.app.look.NumberField;
+import troupe.app.look.Switch;
 import troupe.app.look.ThinSliderUI;
 import troupe.app.session.Session;
 import troupe.paint.Tone;
@@ -26,7 +29,7 @@ import troupe.scene.Scene;
 /**
  * Shows a slider for what each ability costs the actor of the task: the factor on its energy, from a
  * tenth to ten times on a logarithmic scale, and off at the right end (walking stays). Dragging replans;
- * letting go makes one edit.
+ * letting go makes one edit. Below them: how an actor that can moves things.
  */
 final class PreferencesSection extends Panel {
     private static final int DECADE = 100;
@@ -34,12 +37,26 @@ final class PreferencesSection extends Panel {
 
     private final transient Map<Ability, JSlider> sliders = new EnumMap<>(Ability.class);
     private final transient Map<Ability, JLabel> factors = new EnumMap<>(Ability.class);
+    private final Switch grip;
+    private final NumberField headings;
     private Object shown = "";
     private boolean showing;
 
     PreferencesSection(Look look, Session session) {
         super(look, session, new GridBagLayout());
         setName("preferences");
+        grip = new Switch(look);
+        grip.setName("manipulation.grip");
+        grip.setToolTipText(look.text("manipulation.grip.hint"));
+        grip.addActionListener(e -> commit(
+                "edit.manipulation",
+                j -> j.with(grip.isSelected() ? Journey.Manipulation.GRIP : Journey.Manipulation.FREE)));
+        headings = new NumberField(look, "", 0);
+        headings.setName("manipulation.headings");
+        headings.setToolTipText(look.text("manipulation.headings.hint"));
+        headings.onNumber(
+                v -> v == Math.rint(v) && v >= 1 && v <= Journey.MOST_HEADINGS,
+                v -> commit("edit.headings", j -> j.withHeadings((int) v)));
         observing(session.document().listeners().add(c -> refresh()));
         refresh();
     }
@@ -77,7 +94,13 @@ final class PreferencesSection extends Panel {
             build(name, abilities);
         }
         setVisible(actor.isPresent());
-        journey.ifPresent(j -> show(j.preferences()));
+        journey.ifPresent(j -> {
+            show(j.preferences());
+            grip.setSelected(j.manipulation() == Journey.Manipulation.GRIP);
+            if (!headings.isFocusOwner()) {
+                headings.show(j.headings());
+            }
+        });
     }
 
     private void build(String name, Set<Ability> abilities) {
@@ -100,6 +123,10 @@ final class PreferencesSection extends Panel {
             slider.getAccessibleContext().setAccessibleName(look().text("preference." + ability.key()));
             sliders.put(ability, slider);
             factors.put(ability, factor);
+        }
+        if (abilities.contains(Ability.MOVE)) {
+            rows.field(look().text("manipulation.grip"), grip);
+            rows.field(look().text("manipulation.headings"), headings);
         }
         revalidate();
     }
@@ -135,6 +162,11 @@ final class PreferencesSection extends Panel {
             String word = look().text("word." + ability.key());
             session().document().commit(look().texts().format("edit.preference", word), changed);
         }
+    }
+
+    private void commit(String name, UnaryOperator<Journey> change) {
+        Scene scene = session().document().scene();
+        journey(scene).ifPresent(j -> session().document().commit(look().text(name), scene.with(change.apply(j))));
     }
 
     private void show(Preferences preferences) {

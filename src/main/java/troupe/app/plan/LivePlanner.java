@@ -10,10 +10,12 @@ import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.UnaryOperator;
 import troupe.app.document.EventThread;
 import troupe.app.document.Listeners;
 import troupe.app.document.Version;
 import troupe.run.Engine;
+import troupe.run.Overlay;
 import troupe.run.Run;
 import troupe.scene.Problem;
 import troupe.scene.Severity;
@@ -54,6 +56,8 @@ public final class LivePlanner implements AutoCloseable {
     private volatile ThreadPoolExecutor worker = worker();
     private volatile Snapshot newest;
     private volatile Snapshot cancelled;
+    private volatile Watch seen;
+    private volatile List<Integer> chosen = List.of();
     private Version told = new Version(-1, 0);
 
     /** Makes a planner that tells its results through {@code eventThread}. */
@@ -96,6 +100,26 @@ public final class LivePlanner implements AutoCloseable {
     }
 
     /**
+     * Makes the views of the newest plan anew, of another choice of its aspects; every plan from now on has
+     * those of this choice. Work under way is not cancelled: what explains the plan goes on after the views.
+     */
+    public void look(List<Integer> choices) {
+        EventThread.require();
+        chosen = List.copyOf(choices);
+        ThreadPoolExecutor by = worker;
+        by.execute(() -> {
+            Watch watch = seen;
+            if (watch != null && worker == by) {
+                current.set(watch);
+                watch.look();
+                if (!current.compareAndSet(watch, null) && watch.left) {
+                    leftBehind.decrementAndGet();
+                }
+            }
+        });
+    }
+
+    /**
      * Cancels the work under way. A search ends with the outcome cancelled; of work that has told its plan,
      * or does not end at once, nothing more is told.
      */
@@ -114,6 +138,7 @@ public final class LivePlanner implements AutoCloseable {
     @Override
     public void close() {
         newest = null;
+        seen = null;
         worker.shutdown();
     }
 
@@ -182,10 +207,12 @@ public final class LivePlanner implements AutoCloseable {
         Plan plan = new Plan(snapshot, Optional.of(run), problems, Views.NONE, Optional.empty(), watch.elapsedMs());
         watch.tell(plan);
         if (watch.isWanted()) {
-            Plan seen = plan.withOverlays(steps.overlays(snapshot.scene(), snapshot.task(), engine));
-            watch.tellWanted(seen);
+            watch.see(engine);
+            seen = watch;
             if (snapshot.version().preview() == 0 && watch.isWanted()) {
-                explain(seen.withProblems(steps.inspect(snapshot.scene())), run, watch);
+                List<Problem> all = steps.inspect(snapshot.scene());
+                watch.tellWanted(p -> p.withProblems(all));
+                explain(run, watch);
             }
         }
     }
@@ -195,6 +222,7 @@ public final class LivePlanner implements AutoCloseable {
         Outcome outcome = engine.outcome();
         while (outcome.isRunning()) {
             outcome = engine.step(SLICE);
+            watch.look();
             if (watch.isObsolete()) {
                 engine.cancel();
                 return false;
@@ -210,8 +238,7 @@ public final class LivePlanner implements AutoCloseable {
     }
 
     /** Plans what else could be done: first without abilities, then at other preferences. */
-    private void explain(Plan plan, Run run, Watch watch) {
-        watch.tellWanted(plan);
+    private void explain(Run run, Watch watch) {
         if (!run.outcome().isFound()) {
             return;
         }
@@ -226,8 +253,9 @@ public final class LivePlanner implements AutoCloseable {
         });
         try {
             Explanation routes = explainer.routes(run);
-            watch.tellWanted(plan.explained(routes));
-            watch.tellWanted(plan.explained(explainer.flips(routes)));
+            watch.tellWanted(p -> p.explained(routes));
+            Explanation whole = explainer.flips(routes);
+            watch.tellWanted(p -> p.explained(whole));
         } catch (CancellationException e) {
             return; // a newer request, or the person, ended it: what was told before stays
         }
@@ -238,6 +266,9 @@ public final class LivePlanner implements AutoCloseable {
         private final Snapshot snapshot;
         private final long begin = System.nanoTime();
         private volatile boolean left;
+        private volatile Plan latest;
+        private Engine engine;
+        private List<Integer> looked = List.of();
         private long reported = begin - TimeUnit.MILLISECONDS.toNanos(REPORT_MS);
 
         private Watch(Snapshot snapshot) {
@@ -248,7 +279,28 @@ public final class LivePlanner implements AutoCloseable {
             return (System.nanoTime() - begin) / 1e6;
         }
 
+        /** Tells the plan with the views of an engine that has ended. */
+        private void see(Engine ended) {
+            engine = ended;
+            Plan plan = viewed();
+            tellWanted(p -> plan);
+        }
+
+        /** Tells the views of another choice, if there is one and the plan has views. */
+        private void look() {
+            if (engine != null && !looked.equals(chosen) && newest == snapshot && !left) {
+                tell(viewed());
+            }
+        }
+
+        private Plan viewed() {
+            looked = chosen;
+            List<Overlay> views = steps.overlays(snapshot.scene(), snapshot.task(), engine, looked);
+            return latest.withOverlays(views, engine.aspects(looked));
+        }
+
         private void tell(Plan plan) {
+            latest = plan;
             eventThread.execute(() -> {
                 Version version = plan.snapshot().version();
                 Snapshot asked = newest;
@@ -262,10 +314,10 @@ public final class LivePlanner implements AutoCloseable {
             });
         }
 
-        /** Tells a plan unless the person has cancelled this work. */
-        private void tellWanted(Plan plan) {
+        /** Tells more of the plan unless the person has cancelled this work. */
+        private void tellWanted(UnaryOperator<Plan> more) {
             if (!isCancelled()) {
-                tell(plan);
+                tell(more.apply(latest));
             }
         }
 

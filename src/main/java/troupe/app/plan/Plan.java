@@ -2,6 +2,7 @@ package troupe.app.plan;
 
 import java.util.List;
 import java.util.Optional;
+import troupe.run.Aspect;
 import troupe.run.Overlay;
 import troupe.run.Run;
 import troupe.scene.Problem;
@@ -34,9 +35,9 @@ public record Plan(
         return views.overlays();
     }
 
-    /** Returns this plan with its views. Cost O(their values). */
-    public Plan withOverlays(List<Overlay> made) {
-        return new Plan(snapshot, run, problems, Views.of(snapshot.scene(), made), why, millis);
+    /** Returns this plan with its views, out of those that the planner offers. Cost O(their values). */
+    public Plan withOverlays(List<Overlay> made, List<Aspect> offered) {
+        return new Plan(snapshot, run, problems, Views.of(snapshot.scene(), made, offered), why, millis);
     }
 
     /** Returns this plan with all that is wrong with its scene. */

@@ -22,6 +22,10 @@ public interface PlanningSteps {
      */
     Engine start(Scene scene, String task);
 
-    /** Returns the views of a task that has been worked on: the engine's own and those of the grid below it. */
-    List<Overlay> overlays(Scene scene, String task, Engine engine);
+    /**
+     * Returns the views of a task that has been worked on: the engine's own and those of the grid below it.
+     *
+     * @param chosen what is chosen of the engine's aspects
+     */
+    List<Overlay> overlays(Scene scene, String task, Engine engine, List<Integer> chosen);
 }

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
 import troupe.grid.GridFrame;
+import troupe.run.Aspect;
 import troupe.run.Overlay;
 import troupe.scene.Ditch;
 import troupe.scene.Element;
@@ -15,10 +16,11 @@ import troupe.scene.Scene;
  * Holds the views of a plan, and how high each layer lies. Immutable.
  *
  * @param layers one for each layer, the lowest first; empty while there are no views
+ * @param aspects the respects in which the planner has other views
  */
-public record Views(List<Overlay> overlays, List<Layer> layers) {
+public record Views(List<Overlay> overlays, List<Layer> layers, List<Aspect> aspects) {
     /** No views. */
-    public static final Views NONE = new Views(List.of(), List.of());
+    public static final Views NONE = new Views(List.of(), List.of(), List.of());
 
     /**
      * One layer.
@@ -35,10 +37,11 @@ public record Views(List<Overlay> overlays, List<Layer> layers) {
     public Views {
         overlays = List.copyOf(overlays);
         layers = List.copyOf(layers);
+        aspects = List.copyOf(aspects);
     }
 
     /** Makes the views of a scene; where a layer lies is read from the one with the key {@code elevation}. */
-    public static Views of(Scene scene, List<Overlay> overlays) {
+    public static Views of(Scene scene, List<Overlay> overlays, List<Aspect> aspects) {
         int count = 1 + overlays.stream().mapToInt(Overlay::layer).max().orElse(0);
         List<Layer> layers = new ArrayList<>();
         for (int i = 0; i < count; i++) {
@@ -49,7 +52,7 @@ public record Views(List<Overlay> overlays, List<Layer> layers) {
                     .map(o -> o instanceof Overlay.Field field ? layer(scene, field) : null)
                     .orElse(Layer.UNKNOWN));
         }
-        return new Views(overlays, layers);
+        return new Views(overlays, layers, aspects);
     }
 
     private static Layer layer(Scene scene, Overlay.Field elevation) {

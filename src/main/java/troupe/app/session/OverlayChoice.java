@@ -1,12 +1,17 @@
 package troupe.app.session;
 
+import java.util.ArrayList;
 import java.util.Collection;
 import java.util.LinkedHashSet;
+import java.util.List;
 import java.util.Set;
 import troupe.app.document.EventThread;
 import troupe.app.document.Listeners;
 
-/** Holds which views lie over the scene, and which layer is looked at. Belongs to the event thread. */
+/**
+ * Holds which views lie over the scene, which layer is looked at, and of what the views are where the planner
+ * offers a choice ({@link troupe.run.Aspect}). Belongs to the event thread.
+ */
 public final class OverlayChoice {
     /** The key of the plan itself, beside those of the planner's views. */
     public static final String PLAN = "plan";
@@ -20,6 +25,7 @@ public final class OverlayChoice {
     private final Listeners<OverlayChoice> listeners = new Listeners<>();
     private final Set<String> keys = new LinkedHashSet<>();
     private int layer = ALL_LAYERS;
+    private List<Integer> chosen = List.of();
 
     /** Makes a choice of these views on all layers. */
     public OverlayChoice(Collection<String> keys) {
@@ -61,5 +67,29 @@ public final class OverlayChoice {
             layer = other;
             listeners.tell(this);
         }
+    }
+
+    /** Returns what is chosen of each aspect of the task, in their order; of those that it leaves out, the first. */
+    public List<Integer> chosen() {
+        return chosen;
+    }
+
+    /** Chooses of the aspect with this number, from 0; what is chosen of the others stays. */
+    public void choose(int aspect, int choice) {
+        EventThread.require();
+        List<Integer> changed = new ArrayList<>(chosen);
+        while (changed.size() <= aspect) {
+            changed.add(0);
+        }
+        if (changed.set(aspect, choice) != choice) {
+            chosen = List.copyOf(changed);
+            listeners.tell(this);
+        }
+    }
+
+    /** Chooses the first of every aspect again, and tells nobody: for another task, before it is planned. */
+    public void chooseFirst() {
+        EventThread.require();
+        chosen = List.of();
     }
 }

@@ -45,6 +45,7 @@ public final class Session implements AutoCloseable {
     private final Listeners<Notice> notices = new Listeners<>();
     private Optional<Plan> plan = Optional.empty();
     private Work work = Work.IDLE;
+    private List<Integer> looked = List.of();
     private boolean live = true;
 
     /** Makes a session of a document; nothing is planned before {@link #planNow()} or the first change. */
@@ -56,6 +57,7 @@ public final class Session implements AutoCloseable {
         planner.plans().add(this::take);
         planner.works().add(now -> work = now);
         document.listeners().add(this::changed);
+        overlays.listeners().add(choice -> look());
     }
 
     /** Returns the document. */
@@ -127,6 +129,13 @@ public final class Session implements AutoCloseable {
         planner.request(new Snapshot(document.version(), document.shown(), document.task()));
     }
 
+    private void look() {
+        if (!looked.equals(overlays.chosen())) {
+            looked = overlays.chosen();
+            planner.look(looked);
+        }
+    }
+
     private void changed(SceneDocument.Change change) {
         if (change == SceneDocument.Change.FILE) {
             return;
@@ -135,6 +144,10 @@ public final class Session implements AutoCloseable {
             plan = Optional.empty();
             selection.clear();
             playback.load(0, 25);
+        }
+        if (change == SceneDocument.Change.OPENED || change == SceneDocument.Change.TASK) {
+            overlays.chooseFirst();
+            look();
         }
         selection.retain(document.shown());
         if (live || change == SceneDocument.Change.OPENED) {

@@ -128,9 +128,40 @@ class PanelsTest {
         });
     }
 
+    @Test
+    void theWayOfMovingThingsIsEditedBesideThePreferences() {
+        begin(new ScriptedSteps(1, () -> {}));
+        OnEventThread.run(() -> {
+            InspectorPanel inspector = new InspectorPanel(look, session);
+            AbstractButton grip = find(inspector, "manipulation.grip");
+            assertTrue(grip.isSelected());
+            grip.doClick();
+            assertEquals(Journey.Manipulation.FREE, journey().manipulation());
+            JTextField headings = find(inspector, "manipulation.headings");
+            assertEquals("24", headings.getText());
+            for (String wrong : List.of("0", "361", "8.5", "many")) {
+                headings.setText(wrong);
+                headings.postActionEvent();
+                assertEquals(24, journey().headings());
+            }
+            headings.setText("360");
+            headings.postActionEvent();
+            assertEquals(360, journey().headings());
+            assertEquals(
+                    List.of("Way of moving things", "Headings of moved things"),
+                    session.document().history().names());
+            session.document().history().jump(0);
+            assertTrue(grip.isSelected());
+            assertEquals("24", headings.getText());
+        });
+    }
+
+    private Journey journey() {
+        return (Journey) session.document().shownTask().orElseThrow();
+    }
+
     private double preference(Ability ability) {
-        Journey journey = (Journey) session.document().shownTask().orElseThrow();
-        return journey.preferences().of(ability);
+        return journey().preferences().of(ability);
     }
 
     @Test

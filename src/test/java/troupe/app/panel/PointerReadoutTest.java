@@ -34,7 +34,8 @@ class PointerReadoutTest {
                 new Overlay.Field("potential", 0, frame, new float[] {Float.POSITIVE_INFINITY, 1, 1, 1}, metres));
         Scene scene = Scenes.room();
         Snapshot snapshot = new Snapshot(new Version(1, 0), scene, "there");
-        return new Plan(snapshot, Optional.empty(), List.of(), Views.of(scene, overlays), Optional.empty(), 1);
+        return new Plan(
+                snapshot, Optional.empty(), List.of(), Views.of(scene, overlays, List.of()), Optional.empty(), 1);
     }
 
     private List<Value> at(double x, double y, int layer) {

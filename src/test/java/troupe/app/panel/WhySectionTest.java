@@ -51,7 +51,7 @@ class WhySectionTest {
         }
 
         @Override
-        public List<Overlay> overlays(Scene scene, String task, Engine engine) {
+        public List<Overlay> overlays(Scene scene, String task, Engine engine, List<Integer> chosen) {
             return List.of();
         }
     };

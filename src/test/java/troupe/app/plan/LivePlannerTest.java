@@ -68,10 +68,10 @@ class LivePlannerTest implements PlanningSteps {
     }
 
     @Override
-    public List<Overlay> overlays(Scene scene, String task, Engine engine) {
+    public List<Overlay> overlays(Scene scene, String task, Engine engine, List<Integer> chosen) {
         assertFalse(EventQueue.isDispatchThread());
         whileViewing.getOrDefault(scene, () -> {}).run();
-        return engine.overlays();
+        return engine.overlays(chosen);
     }
 
     private void begin(long patienceMs) {
@@ -220,6 +220,51 @@ class LivePlannerTest implements PlanningSteps {
         during.put(snapshot.scene(), () -> planner.cancel());
         request(snapshot);
         assertEquals(Outcome.CANCELLED, next().run().orElseThrow().outcome());
+    }
+
+    private static double x(Plan plan) {
+        return ((Overlay.Points) plan.overlays().get(0)).coordinates()[0];
+    }
+
+    @Test
+    void viewsOfAnotherChoiceAreMadeOfThePlanThatIsThere() throws InterruptedException {
+        begin(FOREVER);
+        request(snapshot(1, 0));
+        Plan plan = next();
+        while (plan.why().isEmpty() || plan.why().get().flips().isEmpty()) {
+            plan = next();
+        }
+        assertEquals(1, x(plan));
+        OnEventThread.run(() -> planner.look(List.of(1)));
+        Plan other = next();
+        assertEquals(2, x(other));
+        assertEquals(2, other.views().aspects().get(1).choices().size());
+        assertSame(plan.run().orElseThrow(), other.run().orElseThrow());
+        assertEquals(plan.why(), other.why());
+        request(snapshot(2, 1));
+        next();
+        assertEquals(2, x(next()), "the choice stays");
+    }
+
+    @Test
+    void viewsOfAnotherChoiceComeBeforeTheExplanationEnds() throws InterruptedException {
+        begin(FOREVER);
+        CountDownLatch begun = new CountDownLatch(1);
+        CountDownLatch goOn = new CountDownLatch(1);
+        whileExplaining = () -> {
+            begun.countDown();
+            await(goOn);
+        };
+        request(snapshot(1, 0));
+        assertTrue(begun.await(20, TimeUnit.SECONDS));
+        OnEventThread.run(() -> planner.look(List.of(1)));
+        goOn.countDown();
+        Plan plan = next();
+        while (plan.overlays().isEmpty() || x(plan) == 1) {
+            assertTrue(plan.why().isEmpty());
+            plan = next();
+        }
+        assertEquals("inspected", plan.problems().get(0).message());
     }
 
     /** Lets the views of a snapshot take until {@code goOn}, deaf to everything, and waits until they have begun. */

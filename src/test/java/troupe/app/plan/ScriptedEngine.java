@@ -1,6 +1,7 @@
 package troupe.app.plan;
 
 import java.util.List;
+import troupe.run.Aspect;
 import troupe.run.Engine;
 import troupe.run.FrameRecorder;
 import troupe.run.Overlay;
@@ -56,6 +57,22 @@ public final class ScriptedEngine implements Engine {
     @Override
     public List<Overlay> overlays() {
         return List.of(new Overlay.Points("trigger", 0, new double[] {1, 1}));
+    }
+
+    /** Offers two spaces, the second with two instances. */
+    @Override
+    public List<Aspect> aspects(List<Integer> chosen) {
+        Aspect space = new Aspect("space", List.of(Aspect.Choice.of("scene"), Aspect.Choice.of("moved", "Crate")));
+        Aspect.Choice plain = Aspect.Choice.of("plain");
+        boolean moved = space.chosen(chosen, 0) == 1;
+        return List.of(
+                space, new Aspect("instance", moved ? List.of(plain, plain) : List.of(plain), List.of("trigger")));
+    }
+
+    @Override
+    public List<Overlay> overlays(List<Integer> chosen) {
+        double x = aspects(chosen).get(0).chosen(chosen, 0);
+        return List.of(new Overlay.Points("trigger", 0, new double[] {1 + x, 1}));
     }
 
     @Override
