@@ -9,7 +9,7 @@ import troupe.scene.Ditch;
 import troupe.scene.Obstacle;
 
 /**
- * Knows where the floor changes: the outlines of everything that can be stood on and of the ditches.
+ * Knows where the floor changes: the outlines of the immovable obstacles and of the ditches.
  * Whether a disc carried along a line meets a forbidden place is decided exactly: places change only at
  * outlines, so each outline edge near the line is cut where another one meets it, and both sides of every
  * piece that the disc reaches are looked at. Immutable, safe for any thread.
@@ -29,8 +29,9 @@ final class FloorEdges {
     }
 
     FloorEdges(List<Obstacle> obstacles, List<Ditch> ditches) {
-        this.tops = obstacles.stream().map(Obstacle::outline).toArray(Polygon[]::new);
-        this.elevations = obstacles.stream().mapToDouble(Obstacle::top).toArray();
+        List<Obstacle> fixed = obstacles.stream().filter(o -> !o.movable()).toList();
+        this.tops = fixed.stream().map(Obstacle::outline).toArray(Polygon[]::new);
+        this.elevations = fixed.stream().mapToDouble(Obstacle::top).toArray();
         this.ditches = ditches.stream().map(Ditch::outline).toArray(Polygon[]::new);
         this.depths = ditches.stream().mapToDouble(Ditch::depth).toArray();
     }
