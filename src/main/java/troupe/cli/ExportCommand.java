@@ -3,6 +3,7 @@ package troupe.cli;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import troupe.exchange.ExchangeException;
 import troupe.exchange.ExportSettings;
@@ -92,7 +93,7 @@ final class ExportCommand implements Command {
         if (!arguments.has("--show")) {
             return List.of();
         }
-        return Fields.of(run.scene(), run.task(), FieldsCommand.keys(arguments), terminal.interrupted())
+        return Fields.of(run.scene(), run.task(), FieldsCommand.keys(arguments), Map.of(), terminal.interrupted())
                 .overlays()
                 .stream()
                 .flatMap(List::stream)

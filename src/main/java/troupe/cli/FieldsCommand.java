@@ -8,8 +8,11 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
+import java.util.TreeMap;
 import troupe.exchange.ExchangeException;
 import troupe.grid.GridLimitException;
+import troupe.run.Aspect;
 import troupe.run.Overlay;
 import troupe.scene.Scene;
 import troupe.scene.SceneException;
@@ -19,6 +22,9 @@ import troupe.work.Fields;
 /** Draws the grid core of a scene. */
 final class FieldsCommand implements Command {
 
+    private static final Option ASPECT =
+            Option.many("--aspect", "KEY=N", "which of several sets of views to draw; without it the first");
+
     @Override
     public String name() {
         return "fields";
@@ -26,7 +32,7 @@ final class FieldsCommand implements Command {
 
     @Override
     public String usage() {
-        return "SCENE [--show A,B,C] -o DIR [--width N] [--task ID] [--set KEY=VALUE]...";
+        return "SCENE [--show A,B,C] -o DIR [--aspect KEY=N]... [--width N] [--task ID] [--set KEY=VALUE]...";
     }
 
     @Override
@@ -40,6 +46,7 @@ final class FieldsCommand implements Command {
                 SceneFiles.TASK,
                 SceneFiles.SET,
                 Option.of("--show", "A,B,C", "what to draw; without it everything"),
+                ASPECT,
                 Option.of("--width", "N", "width of the pictures in pixels; without it 900"),
                 Option.of("-o", "DIR", "the folder for the pictures KEY-STOREY.png; made if it is not there"));
     }
@@ -48,7 +55,9 @@ final class FieldsCommand implements Command {
     public List<String> notes() {
         return List.of(
                 "A, B, C: " + String.join(", ", Fields.KEYS) + ".",
-                "A picture for each storey; layers that do not lie over each other share one.");
+                "A picture for each storey; layers that do not lie over each other share one.",
+                "What --aspect can choose from is told once the task has been searched: search spaces, instances,",
+                "headings. With it the views of the grid are those of the chosen space, too.");
     }
 
     @Override
@@ -64,9 +73,12 @@ final class FieldsCommand implements Command {
         if (SceneFiles.refused(new SceneSource(scene, source.lines()), word, terminal)) {
             return CommandLine.BAD_INPUT;
         }
+        Map<String, Integer> choices = choices(arguments);
         Fields fields;
         try {
-            fields = Fields.of(scene, task, keys, terminal.interrupted());
+            fields = Fields.of(scene, task, keys, choices, terminal.interrupted());
+        } catch (Fields.ChoiceException e) {
+            throw new UsageException("--aspect " + e.getMessage());
         } catch (GridLimitException tooMuch) {
             terminal.say(tooMuch.getMessage());
             return CommandLine.FAILED;
@@ -87,8 +99,34 @@ final class FieldsCommand implements Command {
         for (Fields.Stage stage : fields.stages()) {
             terminal.out().println(String.format(Locale.ROOT, "%-10s %8.2f ms", stage.name(), stage.millis()));
         }
+        for (int i = 0; i < fields.aspects().size(); i++) {
+            tell(fields.aspects().get(i), fields.chosen().get(i), terminal);
+        }
         fields.missing().forEach(terminal::say);
         return CommandLine.OK;
+    }
+
+    /** Prints a line for each choice of an aspect, the one that was drawn marked with a star. */
+    private static void tell(Aspect aspect, int chosen, Terminal terminal) {
+        for (int n = 0; n < aspect.choices().size(); n++) {
+            String mark = n == chosen ? "*" : " ";
+            String text = aspect.choices().get(n).text();
+            terminal.out().println(String.format(Locale.ROOT, "%s %s=%d: %s", mark, aspect.key(), n + 1, text));
+        }
+    }
+
+    /** Returns the choices after {@code --aspect}, by key. */
+    private static Map<String, Integer> choices(Arguments arguments) throws UsageException {
+        Map<String, Integer> choices = new TreeMap<>();
+        for (String pair : arguments.all("--aspect")) {
+            int equals = pair.indexOf('=');
+            String number = pair.substring(equals + 1);
+            if (equals < 1 || !number.matches("[1-9]\\d{0,8}")) {
+                throw new UsageException("--aspect " + pair + "; needs KEY=N with N from 1");
+            }
+            choices.put(pair.substring(0, equals), Integer.valueOf(number));
+        }
+        return choices;
     }
 
     /** Returns the keys after {@code --show}; all of them without it. */

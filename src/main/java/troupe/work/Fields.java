@@ -6,7 +6,9 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
@@ -17,6 +19,7 @@ import troupe.grid.field.Nf2;
 import troupe.grid.layer.Layers;
 import troupe.grid.region.Region;
 import troupe.grid.region.RegionBuilder;
+import troupe.run.Aspect;
 import troupe.run.Engine;
 import troupe.run.FrameRecorder;
 import troupe.run.GridOverlays;
@@ -31,19 +34,33 @@ import troupe.search.Outcome;
 
 /** Computes the fields of the grid core for one task, stage by stage, as overlays and with their times. */
 public final class Fields {
+    /** The keys of what the search of a task adds to the grid. */
+    private static final List<String> SEARCHED = List.of("effort", "triggers", "expected-path", "instance");
+
+    /** The keys of the goal's potential and what it spreads along. */
+    private static final List<String> GUIDES = List.of("skeleton", "potential");
+
     /** The keys of what can be shown: those of the grid, and what the search of the task adds. */
     public static final List<String> KEYS =
-            Stream.concat(GridOverlays.KEYS.stream(), Stream.of("effort")).toList();
+            Stream.concat(GridOverlays.KEYS.stream(), SEARCHED.stream()).toList();
 
     /** How long a stage took; {@code millis} is wall time. */
     public record Stage(String name, double millis) {}
+
+    /** Tells that a task does not offer what is chosen of its views. */
+    public static final class ChoiceException extends IllegalArgumentException {
+        ChoiceException(String message) {
+            super(message);
+        }
+    }
 
     private static final long SLICE = 5_000;
 
     private final List<List<Overlay>> overlays = new ArrayList<>();
     private final List<Stage> stages = new ArrayList<>();
     private final List<String> missing = new ArrayList<>();
-
+    private final List<Aspect> aspects = new ArrayList<>();
+    private final List<Integer> chosen = new ArrayList<>();
     private final BooleanSupplier stopped;
 
     private Fields(BooleanSupplier stopped) {
@@ -58,7 +75,7 @@ public final class Fields {
      */
     public static Fields of(Scene scene, String taskId, List<String> keys) {
         try {
-            return of(scene, taskId, keys, () -> false);
+            return of(scene, taskId, keys, Map.of(), () -> false);
         } catch (InterruptedIOException e) {
             throw new IllegalStateException("stopped without being told to", e);
         }
@@ -68,33 +85,44 @@ public final class Fields {
      * Computes what the given keys need.
      *
      * @param keys some of {@link #KEYS}
+     * @param choices of aspects of the task, by key, from 1; those left out are 1. With any, the views of the grid
+     *     are those of the choice, too
      * @param stopped tells whether to end early; asked before each stage
      * @throws InterruptedIOException if the work was to end early
+     * @throws ChoiceException if the task lacks an aspect or a choice
      * @throws IllegalArgumentException if the scene lacks the task, or a key is unknown
      */
-    public static Fields of(Scene scene, String taskId, List<String> keys, BooleanSupplier stopped)
+    public static Fields of(
+            Scene scene, String taskId, List<String> keys, Map<String, Integer> choices, BooleanSupplier stopped)
             throws InterruptedIOException {
         Task task = scene.task(taskId)
                 .orElseThrow(() -> new IllegalArgumentException(
                         "unknown task '" + taskId + "'; the scene has " + Tasks.ids(scene)));
         Fields fields = new Fields(stopped);
         if (task instanceof Journey journey) {
-            fields.compute(scene, journey, keys);
+            fields.compute(scene, journey, keys, choices);
         }
         return fields;
     }
 
-    private void compute(Scene scene, Journey journey, List<String> keys) throws InterruptedIOException {
+    private void compute(Scene scene, Journey journey, List<String> keys, Map<String, Integer> choices)
+            throws InterruptedIOException {
         RegionBuilder builder = new RegionBuilder(scene, able(scene, journey));
         Layers layers = timed("layers", builder::layers);
         Region region = timed("region", builder::region);
-        int goal = region.locate(journey.goal());
-        boolean reachable = goal >= 0 && region.open(goal);
-        boolean wanted = keys.contains("skeleton") || keys.contains("potential");
-        Nf2 nf2 = wanted && reachable ? timed("nf2", () -> new Nf2(region).compute(goal, journey.spread())) : null;
+        Region open = withoutMovables(scene, region);
+        int goal = open.locate(journey.goal());
+        boolean reachable = goal >= 0 && open.open(goal);
+        boolean wanted = choices.isEmpty() && (keys.contains("skeleton") || keys.contains("potential"));
+        Nf2 nf2 = wanted && reachable ? timed("nf2", () -> new Nf2(open).compute(goal, journey.spread())) : null;
         GridOverlays grid = new GridOverlays(region, layers);
+        GridOverlays guide = open == region ? grid : new GridOverlays(open, layers);
+        boolean searched = !choices.isEmpty() || keys.stream().anyMatch(SEARCHED::contains);
+        List<Overlay> views = searched ? search(scene, journey, choices) : List.of();
         for (String key : keys) {
-            List<Overlay> found = key.equals("effort") ? effort(scene, journey, grid) : grid.of(key, nf2);
+            proceed();
+            boolean own = SEARCHED.contains(key) || !choices.isEmpty();
+            List<Overlay> found = own ? searched(key, views, grid) : (GUIDES.contains(key) ? guide : grid).of(key, nf2);
             proceed();
             if (found.isEmpty()) {
                 missing.add(key + ": nothing to show");
@@ -103,14 +131,30 @@ public final class Fields {
         }
     }
 
+    /** Returns the region in which the goal's potential is made: without what the actor may move. */
+    private static Region withoutMovables(Scene scene, Region region) {
+        Region open = region;
+        for (int i = 0; i < scene.obstacles().size() && region.actor().move().isPresent(); i++) {
+            open = scene.obstacles().get(i).movable() ? open.without(i) : open;
+        }
+        return open;
+    }
+
+    private static List<Overlay> searched(String key, List<Overlay> views, GridOverlays grid) {
+        return key.equals("effort")
+                ? effort(views, grid)
+                : views.stream().filter(o -> o.key().equals(key)).toList();
+    }
+
     private void proceed() throws InterruptedIOException {
         if (stopped.getAsBoolean()) {
             throw new InterruptedIOException("interrupted; nothing was drawn");
         }
     }
 
-    /** Returns the effort of the search by storey; a storey in which nothing was searched is left out. */
-    private List<Overlay> effort(Scene scene, Journey journey, GridOverlays grid) throws InterruptedIOException {
+    /** Returns the views of the search to its end, of what is chosen. */
+    private List<Overlay> search(Scene scene, Journey journey, Map<String, Integer> choices)
+            throws InterruptedIOException {
         Engine engine = Tasks.start(scene, journey.id());
         timed("search", () -> {
             while (engine.step(SLICE).isRunning() && !stopped.getAsBoolean()) {
@@ -119,8 +163,34 @@ public final class Fields {
             return engine;
         });
         proceed();
+        choose(engine, choices);
+        return engine.overlays(chosen);
+    }
+
+    private void choose(Engine engine, Map<String, Integer> choices) {
+        Set<String> left = new TreeSet<>(choices.keySet());
+        while (chosen.size() < engine.aspects(chosen).size()) {
+            Aspect aspect = engine.aspects(chosen).get(chosen.size());
+            int count = aspect.choices().size();
+            int choice = choices.getOrDefault(aspect.key(), 1);
+            if (choice < 1 || choice > count) {
+                throw new ChoiceException(aspect.key() + "=" + choice + "; needs 1 to " + count);
+            }
+            left.remove(aspect.key());
+            chosen.add(choice - 1);
+            aspects.add(aspect);
+        }
+        if (!left.isEmpty()) {
+            List<String> known = aspects.stream().map(Aspect::key).toList();
+            throw new ChoiceException(String.join(", ", left) + "; needs "
+                    + (known.isEmpty() ? "a task that offers a choice" : "one of " + String.join(", ", known)));
+        }
+    }
+
+    /** Returns the effort of a search by storey; a storey in which nothing was searched is left out. */
+    private static List<Overlay> effort(List<Overlay> views, GridOverlays grid) {
         Map<Integer, Overlay.Field> storeys = new TreeMap<>();
-        for (Overlay overlay : engine.overlays()) {
+        for (Overlay overlay : views) {
             if (overlay.key().equals("effort") && overlay instanceof Overlay.Field field && holdsAnything(field)) {
                 storeys.merge(grid.storey(field.layer()), field, Fields::together);
             }
@@ -179,6 +249,16 @@ public final class Fields {
     /** Returns the times of the stages that were needed. */
     public List<Stage> stages() {
         return List.copyOf(stages);
+    }
+
+    /** Returns what could be chosen of the views of the search; none if it was not needed or offers nothing. */
+    public List<Aspect> aspects() {
+        return List.copyOf(aspects);
+    }
+
+    /** Returns what was chosen of each aspect, from 0. */
+    public List<Integer> chosen() {
+        return List.copyOf(chosen);
     }
 
     /** Returns a line for each key that has nothing to show. */

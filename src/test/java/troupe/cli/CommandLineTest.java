@@ -78,6 +78,9 @@ class CommandLineTest {
         assertUse("--seed", "run", scene, "--seed", "many");
         assertUse("--show", "fields", scene, "--show", "colour", "-o", folder.toString());
         assertUse("-o", "fields", scene);
+        assertUse("needs KEY=N", "fields", scene, "--aspect", "space", "-o", folder.toString());
+        assertUse("needs KEY=N", "fields", scene, "--aspect", "space=0", "-o", folder.toString());
+        assertUse("needs a task that offers a choice", "fields", scene, "--aspect", "hue=1", "-o", folder.toString());
         assertUse("--vary", "batch", scene, "--vary", "seed");
         assertUse("preference.walk=off: ", "batch", scene, "--task", "round", "--vary", "preference.walk=1,off");
         assertUse("--seeds", "batch", scene, "--seeds", "9..1");
