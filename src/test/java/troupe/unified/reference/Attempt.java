@@ -98,7 +98,7 @@ final class Attempt {
             node.settled = true;
             Mover.Pose pose = node.state.pose;
             if (firstCollision(mover, pose, way, bodyHeight) < 0
-                    && (grip == null || grip.settles(pose, node.state.stand))) {
+                    && (grip == null || grip.settles(pose, node.state.stand, way))) {
                 result = node;
                 return;
             }

@@ -27,6 +27,7 @@ final class ExhaustivePlanner {
     private final Map<List<Answer.Moved>, World> worlds = new HashMap<>();
     private final PriorityQueue<Label> open = new PriorityQueue<>((a, b) -> Long.compare(a.key, b.key));
     private Toward toward;
+    private int goal;
 
     /** A way to a configuration, or, with an attempt, the attempt being made there. */
     private record Label(
@@ -40,12 +41,13 @@ final class ExhaustivePlanner {
         moves = actor.move().isPresent() && scene.obstacles().stream().anyMatch(o -> o.movable());
     }
 
-    /** Solves the journey. */
+    /** Solves the journey of a scene. */
     static Answer solve(Scene scene, Journey journey) {
         return new ExhaustivePlanner(scene, journey).solve();
     }
 
-    private Answer solve() {
+    /** Solves the journey; once for each instance. */
+    Answer solve() {
         int count = ground.scene.obstacles().size();
         Polygon[] outlines = new Polygon[count];
         for (int n = 0; n < count; n++) {
@@ -57,29 +59,58 @@ final class ExhaustivePlanner {
         Space widest =
                 moves ? Space.widest(ground, new Polygon[count], actor.vault().isPresent()) : base.space;
         int start = locate(journey.start());
-        int goal = locate(journey.goal());
+        goal = locate(journey.goal());
         if (start < 0 || goal < 0 || !base.space.open(start) || !widest.open(goal)) {
             return new Answer(Double.POSITIVE_INFINITY, List.of(), 0);
         }
         double most = moves && actor.vault().isPresent() ? prices.vaultedMetre() : Double.POSITIVE_INFINITY;
         toward = new Toward(widest, prices, goal, most);
         worlds.put(base.moved, base);
-        open.add(new Label(base, start, 0, -1, 0, 0, null, -1));
+        Label last = search(base, start, moves);
+        return last == null
+                ? new Answer(Double.POSITIVE_INFINITY, List.of(), worlds.size())
+                : new Answer(Prices.joules(last.cost), last.world.moved, worlds.size());
+    }
+
+    /** Returns the first label at the goal, null if there is none. */
+    private Label search(World from, int start, boolean moving) {
+        open.clear();
+        from.settled.clear();
+        open.add(new Label(from, start, 0, -1, 0, 0, null, -1));
         while (!open.isEmpty()) {
             Label label = open.remove();
             if (label.attempt != null) {
                 goOn(label);
             } else if (label.world.isNew(label)) {
                 if (label.at == goal) {
-                    return new Answer(Prices.joules(label.cost), label.world.moved, worlds.size());
+                    return label;
                 }
-                expand(label);
+                expand(label, moving);
             }
         }
-        return new Answer(Double.POSITIVE_INFINITY, List.of(), worlds.size());
+        return null;
     }
 
-    /** Returns the least cost to go from a span to the goal in J, for tests; infinite if there is no way. */
+    /**
+     * Tells whether, in every space that solving came to, the bound on the cost to go is none too high at every
+     * {@code stride}-th place, and returns how many places were looked at.
+     */
+    int checkBounds(int stride) {
+        int checked = 0;
+        for (World world : worlds.values()) {
+            for (int q = 0; q < ground.spanCount; q += stride) {
+                Label last = world.space.firm(q) ? search(world, q, false) : null;
+                if (last != null && toward.least(q) > last.cost) {
+                    throw new AssertionError("from " + q + " with " + world.moved + ": " + Prices.joules(last.cost)
+                            + ", at least " + Prices.joules(toward.least(q)));
+                }
+                checked += last == null ? 0 : 1;
+            }
+        }
+        return checked;
+    }
+
+    /** Returns the span at a place, -1 if there is none within a step of it. */
     private int locate(Place place) {
         int at = ground.cellAt(place.x(), place.y());
         int best = -1;
@@ -94,9 +125,9 @@ final class ExhaustivePlanner {
         return carried ? best : -1;
     }
 
-    private void expand(Label label) {
+    private void expand(Label label, boolean moving) {
         World world = label.world;
-        if (moves && world.space.firm(label.at)) {
+        if (moving && world.space.firm(label.at)) {
             world.attempts(label.at)
                     .forEach((attempt, number) -> open.add(new Label(
                             world, label.at, 0, -1, label.cost, label.cost + attempt.least(), attempt, number)));
@@ -235,7 +266,7 @@ final class ExhaustivePlanner {
                     return;
                 }
                 Space with = new Space(ground, Space.with(optimistic.outlines, number, outlines[number]));
-                var lost = optimistic.openHereOnly(with);
+                var lost = optimistic.lostIn(with);
                 for (int q = 0; q < ground.spanCount; q++) {
                     double off = space.firm(q) ? Math.abs(ground.floor[q] - mover.obstacle.offset()) : 1e9;
                     boolean beside = false;

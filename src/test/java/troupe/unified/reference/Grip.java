@@ -1,5 +1,7 @@
 package troupe.unified.reference;
 
+import java.util.ArrayDeque;
+import java.util.List;
 import troupe.geometry.Polygon;
 import troupe.scene.Obstacle;
 
@@ -139,8 +141,11 @@ final class Grip {
         return ground.distanceToGround(line, floor + ground.actor.stepHeight() + SLACK) >= least;
     }
 
-    /** Tells whether the actor can let go: it stands firmly in the new space and can be carried to its cell's centre. */
-    boolean settles(Mover.Pose pose, int stand) {
+    /**
+     * Tells whether the actor can let go: it stands firmly in the new space, can be carried to its cell's centre,
+     * and some place of the way can be reached from there.
+     */
+    boolean settles(Mover.Pose pose, int stand, List<Toward.Spot> way) {
         Polygon[] there = Space.with(without.outlines, obstacle, mover.outline(pose));
         if (ground.kind[stand] != Ground.STABLE || (Space.standing(ground, there, stand) & Ground.WALK) == 0) {
             return false;
@@ -148,6 +153,25 @@ final class Grip {
         double[] at = mover.carried(pose, held[0], held[1]);
         int cell = stand % ground.cells;
         double[] line = {at[0], at[1], ground.x(cell), ground.y(cell)};
-        return clear(there, line, ground.floor[stand], SLACK);
+        return clear(there, line, ground.floor[stand], SLACK) && reaches(new Space(ground, there), stand, way);
+    }
+
+    private boolean reaches(Space after, int stand, List<Toward.Spot> way) {
+        boolean[] reached = new boolean[ground.size];
+        ArrayDeque<Integer> queue = new ArrayDeque<>(List.of(stand));
+        reached[stand] = true;
+        while (!queue.isEmpty()) {
+            for (Space.Step step : after.steps(queue.remove())) {
+                if (!reached[step.to()]) {
+                    reached[step.to()] = true;
+                    queue.add(step.to());
+                }
+            }
+        }
+        boolean any = false;
+        for (Toward.Spot spot : way) {
+            any |= after.isSpan(spot.configuration()) && reached[spot.configuration()];
+        }
+        return any;
     }
 }

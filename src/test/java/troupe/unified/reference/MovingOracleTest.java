@@ -6,12 +6,15 @@ import static org.junit.jupiter.api.Assertions.fail;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicIntegerArray;
 import java.util.stream.LongStream;
 import org.junit.jupiter.api.Test;
 import troupe.run.Run;
+import troupe.scene.Ability;
 import troupe.scene.Journey;
 import troupe.scene.Obstacle;
+import troupe.scene.Preferences;
 import troupe.scene.Scene;
 import troupe.scene.SceneXml;
 import troupe.unified.JourneyEngine;
@@ -33,6 +36,33 @@ class MovingOracleTest {
             solved.incrementAndGet(answer.isSolved() ? 1 : 0);
         });
         assertTrue(solved.get(0) > 40 && solved.get(1) > 40, "unsolved and solved: " + solved);
+    }
+
+    @Test
+    void movableObstaclesAreInTheWayWhereMovingIsSwitchedOff() {
+        LongStream.range(FIRST_SEED, FIRST_SEED + 200).parallel().forEach(seed -> {
+            Scene scene = MovingWorlds.scene(seed, Journey.Manipulation.FREE);
+            Journey journey = (Journey) scene.tasks().get(0);
+            compare(seed, scene.with(journey.preferring(journey.preferences().with(Ability.MOVE, Preferences.OFF))));
+        });
+    }
+
+    @Test
+    void theBoundOnTheCostToGoIsNoneTooHighInAnySpace() {
+        AtomicInteger checked = new AtomicInteger();
+        LongStream.range(FIRST_SEED, FIRST_SEED + 150).parallel().forEach(seed -> {
+            Journey.Manipulation manipulation = manipulation(seed);
+            Scene scene = MovingWorlds.scene(seed, manipulation);
+            ExhaustivePlanner planner =
+                    new ExhaustivePlanner(scene, (Journey) scene.tasks().get(0));
+            planner.solve();
+            checked.addAndGet(planner.checkBounds(7));
+        });
+        assertTrue(checked.get() > 2000, "checked " + checked);
+    }
+
+    private static Journey.Manipulation manipulation(long seed) {
+        return seed % 2 == 0 ? Journey.Manipulation.FREE : Journey.Manipulation.GRIP;
     }
 
     /** Leaves out two of three movable obstacles and fastens the others. */

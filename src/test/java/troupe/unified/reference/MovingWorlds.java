@@ -100,8 +100,8 @@ final class MovingWorlds {
                 between(0.3, 0.8),
                 new Actor.Walk(between(0.185, 0.27), between(0.5, 1.5), 1.3),
                 random.nextBoolean() ? Optional.of(sidestep) : Optional.empty(),
-                random.nextInt(3) == 0 ? Optional.of(stride) : Optional.empty(),
-                random.nextInt(3) == 0 ? Optional.of(vault) : Optional.empty(),
+                random.nextInt(5) < 2 ? Optional.of(stride) : Optional.empty(),
+                random.nextInt(5) < 2 ? Optional.of(vault) : Optional.empty(),
                 Optional.of(new Actor.Move(between(0.05, 0.5), between(0.01, 0.1), 0.5)));
     }
 
@@ -192,7 +192,7 @@ final class MovingWorlds {
             Polygon outline = random.nextInt(5) == 0
                     ? triangle(x + between(-0.2, 0.2), y + between(-0.2, 0.2), size)
                     : turned(x + between(-0.25, 0.25), y + between(-0.15, 0.15), between(0.2, 0.55), size);
-            double height = random.nextInt(3) == 0 ? between(0.15, 1.2) : 1.5;
+            double height = random.nextInt(5) < 2 ? between(0.15, 1.2) : 1.5;
             Obstacle crate =
                     new Obstacle("crate" + obstacles.size(), "", outline, offset, height, true, between(4, 40), "");
             if (isFree(crate)) {

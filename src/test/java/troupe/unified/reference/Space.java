@@ -326,15 +326,15 @@ final class Space {
         return -1;
     }
 
-    /** Returns the configurations that are open here and not in another space. */
-    TreeSet<Integer> openHereOnly(Space other) {
-        TreeSet<Integer> only = new TreeSet<>();
+    /** Returns the configurations where something can be done here that cannot be done in another space. */
+    TreeSet<Integer> lostIn(Space other) {
+        TreeSet<Integer> lost = new TreeSet<>();
         for (int q = 0; q < ground.size; q++) {
-            if (open(q) && !other.open(q)) {
-                only.add(q);
+            if ((abilities[q] & ~other.abilities[q]) != 0) {
+                lost.add(q);
             }
         }
-        return only;
+        return lost;
     }
 
     /** Returns outlines like these with one obstacle somewhere else, or nowhere. */

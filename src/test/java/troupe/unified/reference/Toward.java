@@ -7,8 +7,8 @@ import java.util.PriorityQueue;
 
 /** Knows what it costs at least from anywhere to the goal, whatever is moved, and the way that one then expects. */
 final class Toward {
-    /** A place of an expected way: where, on which floor, and how much room is needed there. */
-    record Spot(int at, double x, double y, double floor, double radius) {}
+    /** A place of an expected way: which and where, on which floor, and how much room is needed there. */
+    record Spot(int configuration, int at, double x, double y, double floor, double radius) {}
 
     private final Space widest;
     private final Prices prices;
@@ -79,6 +79,6 @@ final class Toward {
     private Spot spot(int q, double radius) {
         Ground ground = widest.ground;
         int at = ground.cellOf(q);
-        return new Spot(at, ground.x(at), ground.y(at), ground.elevation(q), radius);
+        return new Spot(q, at, ground.x(at), ground.y(at), ground.elevation(q), radius);
     }
 }
