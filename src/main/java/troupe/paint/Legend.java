@@ -97,7 +97,10 @@ public final class Legend {
             List<Entry> entries, Overlay overlay, boolean filled, Theme theme, UnaryOperator<String> words) {
         String name = words.apply(overlay.key());
         if (overlay instanceof Overlay.Lines) {
-            entries.add(line(theme.color(OverlayPainter.lineTone(overlay.key())), Theme.line(1.6f), name));
+            entries.add(line(
+                    theme.color(OverlayPainter.lineTone(overlay.key())),
+                    OverlayPainter.lineStroke(overlay.key()),
+                    name));
         } else if (overlay instanceof Overlay.Points) {
             entries.add(new Entry(g -> OverlayPainter.paintPoint(g, theme, 6, 0), 12, name));
         } else if (overlay instanceof Overlay.Field f && f.scale() instanceof Overlay.Continuous c) {

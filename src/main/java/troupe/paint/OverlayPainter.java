@@ -1,5 +1,6 @@
 package troupe.paint;
 
+import java.awt.BasicStroke;
 import java.awt.Graphics2D;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
@@ -58,7 +59,7 @@ public final class OverlayPainter {
             }
         } else if (overlay instanceof Overlay.Lines lines) {
             g.setColor(theme.color(lineTone(overlay.key())));
-            g.setStroke(Theme.line(1.6f));
+            g.setStroke(lineStroke(overlay.key()));
             Clipping clipping = new Clipping(g, view);
             for (double[] line : lines.lines()) {
                 g.draw(clipping.line(line, 2));
@@ -81,8 +82,17 @@ public final class OverlayPainter {
         g.draw(disc);
     }
 
-    /** Returns the colour of polylines of a kind: the skeleton its own, others the accent. */
+    /** Returns the colour of polylines of a kind: the skeleton and expected paths their own, others the accent. */
     static Tone lineTone(String key) {
-        return key.equals("skeleton") ? Tone.SKELETON : Tone.ACCENT;
+        return switch (key) {
+            case "skeleton" -> Tone.SKELETON;
+            case "expected-path" -> Tone.MOVE;
+            default -> Tone.ACCENT;
+        };
+    }
+
+    /** Returns the stroke of polylines of a kind: dots for what is expected, a thin line for others. */
+    static BasicStroke lineStroke(String key) {
+        return key.equals("expected-path") ? Theme.line(2, 0.1f, 4) : Theme.line(1.6f);
     }
 }

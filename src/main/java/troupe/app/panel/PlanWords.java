@@ -5,6 +5,7 @@ import java.util.StringJoiner;
 import troupe.app.document.SceneEdits;
 import troupe.app.look.Texts;
 import troupe.app.plan.Plan;
+import troupe.app.play.Figures;
 import troupe.run.Run;
 import troupe.scene.Ability;
 import troupe.scene.Journey;
@@ -48,6 +49,18 @@ final class PlanWords {
         StringJoiner lines = new StringJoiner("\n\n");
         plan.problems().stream().filter(p -> p.severity() == Severity.ERROR).forEach(p -> lines.add(p.describe()));
         return lines.toString();
+    }
+
+    /** Returns what a run moves, in order, as a sentence; empty if nothing. */
+    static String moves(Run run, Texts texts) {
+        StringJoiner moves = new StringJoiner(texts.get("why.then"));
+        for (Figures.Move move : Figures.moves(run)) {
+            moves.add(
+                    Double.isNaN(move.metres())
+                            ? move.name()
+                            : texts.format("why.move", move.name(), Texts.number(move.metres(), 1)));
+        }
+        return moves.length() == 0 ? "" : texts.format("why.moves", moves);
     }
 
     /** Returns a sentence for each ability that a plan gives up at some preference, a line each; may be none. */

@@ -22,6 +22,7 @@ import troupe.app.look.Look;
 import troupe.app.look.Texts;
 import troupe.app.plan.Plan;
 import troupe.app.plan.Work;
+import troupe.app.play.Figures;
 import troupe.app.session.Notice;
 import troupe.app.session.Session;
 import troupe.geometry.Point;
@@ -200,6 +201,12 @@ public final class StatusBar extends Panel {
         if (found && run.report().values().get("expanded") instanceof Long expanded) {
             more.add(look().texts().format("status.expanded", expanded));
         }
+        List<Figures.Move> moves = Figures.moves(run);
+        double metres = moves.stream().mapToDouble(Figures.Move::metres).sum();
+        if (found && metres > 0) {
+            more.add(look().texts().format("status.moved", moves.size(), Texts.number(metres, 1)));
+        }
+        int shown = Math.min(2, more.size());
         if (found && run.report().values().get("times_ms") instanceof Report times) {
             times.values().forEach((stage, ms) -> {
                 if (ms instanceof Double d && d >= 0.05) {
@@ -207,7 +214,7 @@ public final class StatusBar extends Panel {
                 }
             });
         }
-        happened(text, more.isEmpty() ? "" : "\u00b7 " + String.join(" \u00b7 ", more.subList(0, 1)));
+        happened(text, shown == 0 ? "" : "\u00b7 " + String.join(" \u00b7 ", more.subList(0, shown)));
         details.setToolTipText(more.isEmpty() ? null : String.join(" \u00b7 ", more));
     }
 

@@ -56,9 +56,13 @@ final class WhySection extends Panel {
             rows.wide(new EnergyBar(Figures.energyByAbility(run.get())), 9);
             rows.wide(new Table(table(run.get())), 9);
             Optional<Explanation> why = session().plan().flatMap(Plan::why);
-            String sentences = why.map(e -> PlanWords.flips(e, look().texts())).orElse("");
+            String sentences = PlanWords.moves(run.get(), look().texts())
+                    + why.map(e -> PlanWords.flips(e, look().texts()))
+                            .filter(flips -> !flips.isEmpty())
+                            .map(flips -> "\n" + flips)
+                            .orElse("");
             if (!sentences.isEmpty()) {
-                rows.wide(new Note(sentences), 0);
+                rows.wide(new Note(sentences.strip()), 0);
             }
         }
         revalidate();

@@ -2,9 +2,12 @@ package troupe.app.play;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import troupe.run.Report;
 import troupe.run.Run;
 import troupe.scene.Ability;
+import troupe.scene.Obstacle;
 
 /** Sums up a run for bars, tables and plots. Pure; cost O(points of the legs) each. */
 public final class Figures {
@@ -17,6 +20,24 @@ public final class Figures {
      * @param begin the time in seconds at which it begins, {@code end} that at which it ends
      */
     public record Stretch(Optional<Ability> ability, String what, double begin, double end, double energy) {}
+
+    /** One obstacle that was moved: its name, and the metres that its middle travelled, NaN if the run does not tell. */
+    public record Move(String name, double metres) {}
+
+    /** Returns what was moved, in order, as the report tells. */
+    public static List<Move> moves(Run run) {
+        List<Move> moves = new ArrayList<>();
+        if (run.report().values().get("moved") instanceof List<?> moved) {
+            for (Object each : moved) {
+                Map<String, Object> values =
+                        each instanceof Report report ? report.values() : Map.of("id", String.valueOf(each));
+                String id = String.valueOf(values.get("id"));
+                String name = run.scene().obstacle(id).map(Obstacle::name).orElse(id);
+                moves.add(new Move(name, values.get("length") instanceof Double metres ? metres : Double.NaN));
+            }
+        }
+        return moves;
+    }
 
     /** Returns the energy of a run in joules. */
     public static double energy(Run run) {

@@ -14,6 +14,10 @@ import troupe.app.look.Texts;
 import troupe.app.plan.Plan;
 import troupe.app.plan.Snapshot;
 import troupe.app.plan.Views;
+import troupe.run.FrameRecorder;
+import troupe.run.Frames;
+import troupe.run.Report;
+import troupe.run.Run;
 import troupe.scene.Problem;
 import troupe.scene.Scene;
 import troupe.scene.SceneException;
@@ -77,6 +81,19 @@ class PlanWordsTest {
         assertEquals("The goal is in 'Wall'", PlanWords.outcome(outcome, new Texts(Locale.ENGLISH)));
         assertEquals(
                 "無路可走，規劃器的說明：The goal is in 'Wall'", PlanWords.outcome(outcome, new Texts(Locale.TRADITIONAL_CHINESE)));
+    }
+
+    @Test
+    void saysWhatIsMovedAndHowFar() {
+        Report.Builder crate = Report.builder().put("id", "crate").put("length", 1.26);
+        Report.Builder post = Report.builder().put("id", "post").put("length", 0.5);
+        Report report = Report.builder()
+                .put("moved", List.of(crate.build(), post.build()))
+                .build();
+        Frames none = new FrameRecorder(25, List.of()).frames();
+        Run run = new Run(Scenes.room(), "there", Outcome.FOUND, report, none, List.of(), List.of());
+        assertEquals("Moves crate over 1.3 m, then post over 0.5 m.", PlanWords.moves(run, new Texts(Locale.ENGLISH)));
+        assertEquals("搬移crate（1.3 公尺），再搬移post（0.5 公尺）。", PlanWords.moves(run, new Texts(Locale.TRADITIONAL_CHINESE)));
     }
 
     @Test

@@ -56,6 +56,24 @@ class FiguresTest {
             leg("walk", "", 4, 5, 2, 5, 7));
 
     @Test
+    void tellsWhatWasMovedAndHowFar() {
+        Report moved = Report.builder()
+                .put(
+                        "moved",
+                        List.of(
+                                Report.builder()
+                                        .put("id", "crate")
+                                        .put("length", 1.5)
+                                        .build(),
+                                "gone"))
+                .build();
+        Run moving = new Run(Scenes.room(), "there", Outcome.FOUND, moved, NONE, List.of(), List.of());
+        assertEquals(
+                List.of(new Figures.Move("crate", 1.5), new Figures.Move("gone", Double.NaN)), Figures.moves(moving));
+        assertEquals(List.of(), Figures.moves(run));
+    }
+
+    @Test
     void sumsEnergyAndLengthSeenFromAbove() {
         assertEquals(14, Figures.energy(run));
         assertEquals(7, Figures.length(run));
