@@ -133,17 +133,19 @@ public final class ConfigurationSpace {
                 for (int n = 0; n < along.length; n++) {
                     int first = path.cell(along[n]);
                     int last = first;
-                    while (n + 1 < along.length && Math.abs(path.cell(along[n + 1]) - last) == 1) {
-                        int next = path.cell(along[n + 1]);
-                        if (next > last == last < first) {
-                            break;
-                        }
-                        last = next;
-                        n++;
+                    while (n + 1 < along.length && goesOn(first, last, path.cell(along[n + 1]))) {
+                        last = path.cell(along[++n]);
                     }
                     stamp(runs, Math.min(first, last), Math.max(first, last));
                 }
             }
+        }
+
+        /** Tells whether a cell lies next to the last of a straight run within a row, on the far side of the first. */
+        private boolean goesOn(int first, int last, int next) {
+            return Math.abs(next - last) == 1
+                    && (first == last || next > last == last > first)
+                    && frame.row(next) == frame.row(last);
         }
 
         /** Sets, or only measures, the poses that bring the stamp over one of the cells of a row. */

@@ -84,11 +84,6 @@ public final class Grip {
         return configuration / cells;
     }
 
-    /** Returns the most steps that the actor takes in a turn by one heading. */
-    int parts() {
-        return turns.parts();
-    }
-
     /** Returns the straight steps that the actor takes in the turn from heading {@code lower} to the next. */
     int straightSteps(int lower) {
         return turns.straight(lower);

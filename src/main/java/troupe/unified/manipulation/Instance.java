@@ -140,7 +140,7 @@ public final class Instance {
 
     /**
      * Returns the least share, from 0 to 1, that moving the obstacle has in the cost of a move: with a grip
-     * the rest is walking. For a turn the actor's walk is taken at its most.
+     * the rest is walking. Cost O(headings).
      */
     public double obstacleShare() {
         if (grip == null) {
@@ -149,8 +149,11 @@ public final class Instance {
         Prices prices = question.prices();
         double straight = share(prices.straight(), prices.walkStraight());
         double diagonal = share(prices.diagonal(), prices.walkDiagonal());
-        double turn = share(prices.turn(), (double) grip.parts() * prices.walkDiagonal());
-        return Math.min(straight, Math.min(diagonal, turn));
+        double least = Math.min(straight, diagonal);
+        for (int k = 0; headings > 1 && k < headings; k++) {
+            least = Math.min(least, share(prices.turn(), turnCost(k) - prices.turn()));
+        }
+        return least;
     }
 
     private static double share(double moving, double walking) {

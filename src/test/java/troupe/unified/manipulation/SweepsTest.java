@@ -218,6 +218,9 @@ class SweepsTest {
             Pose pose = movable.pose(from);
             Polygon shape = movable.obstacle().outline();
             Point centre = new Point(pose.x(), pose.y());
+            if (distance(shape.at(pose)) > travel && !overlaps(shape.at(pose))) {
+                return 1;
+            }
             boolean close = false;
             for (int n = 0; n <= MOMENTS; n++) {
                 double t = (double) n / MOMENTS;

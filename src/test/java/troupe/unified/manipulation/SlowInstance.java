@@ -1,0 +1,185 @@
+package troupe.unified.manipulation;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.PriorityQueue;
+import java.util.Set;
+import troupe.geometry.Polygon;
+import troupe.geometry.Pose;
+import troupe.grid.GridFrame;
+import troupe.scene.Ditch;
+import troupe.scene.Obstacle;
+import troupe.scene.Scene;
+
+/**
+ * Answers the question of an instance by Dijkstra's algorithm over maps, with motions judged moment by
+ * moment; only what is too close to tell that way is asked of the code under test.
+ */
+final class SlowInstance {
+    /** A pose and where the actor stands. */
+    record State(LatticePose pose, int stand) {}
+
+    private record Entry(State state, long cost, long number) {}
+
+    private final Scene scene;
+    private final Question question;
+    private final SlowGrip grip;
+    private final Movable movable;
+    private final SweepsTest.Moments moments;
+    private final Sweeps exact;
+    private final Map<State, Long> best = new HashMap<>();
+    private final Map<State, State> parents = new HashMap<>();
+    private final PriorityQueue<Entry> open =
+            new PriorityQueue<>(Comparator.comparingLong(Entry::cost).thenComparingLong(Entry::number));
+    private long number;
+    long expanded;
+    State found;
+
+    SlowInstance(Scene scene, Question question, Optional<SlowGrip> grip) {
+        this.scene = scene;
+        this.question = question;
+        this.grip = grip.orElse(null);
+        this.movable = question.movable();
+        this.moments = new SweepsTest.Moments(scene, movable);
+        this.exact = new Surroundings(scene).sweeps(movable);
+    }
+
+    void solve() {
+        add(null, new State(LatticePose.HOME, question.trigger()), 0);
+        Set<State> closed = new HashSet<>();
+        boolean stuck = moments.overlaps(movable.obstacle().outline());
+        while (!open.isEmpty()) {
+            Entry entry = open.poll();
+            if (!closed.add(entry.state)) {
+                continue;
+            }
+            expanded++;
+            if (isFree(entry.state.pose) && (grip == null || grip.settles(entry.state))) {
+                found = entry.state;
+                return;
+            }
+            for (int move = 0; move < 10 && !stuck; move++) {
+                expand(entry, move);
+            }
+        }
+    }
+
+    long cost() {
+        return best.get(found);
+    }
+
+    List<LatticePose> poses() {
+        List<LatticePose> poses = new ArrayList<>();
+        for (State state = found; state != null; state = parents.get(state)) {
+            poses.add(state.pose);
+        }
+        Collections.reverse(poses);
+        return poses;
+    }
+
+    private boolean isFree(LatticePose pose) {
+        Polygon outline = outline(pose);
+        ExpectedPath path = question.barred().path();
+        GridFrame frame = path.frame();
+        for (int n = 0; n < path.size(); n++) {
+            double x = frame.centreX(frame.col(path.cell(n)));
+            double y = frame.centreY(frame.row(path.cell(n)));
+            if (path.meets(n, movable) && outline.distance(x, y) < path.radius(n) - 1e-9) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private Polygon outline(LatticePose pose) {
+        return movable.obstacle().outline().at(pose(pose));
+    }
+
+    private Pose pose(LatticePose at) {
+        return new Pose(
+                movable.centroid().x() + at.i() * movable.cell(),
+                movable.centroid().y() + at.j() * movable.cell(),
+                at.k() * 2 * Math.PI / movable.headings());
+    }
+
+    private void expand(Entry entry, int move) {
+        LatticePose from = entry.state.pose;
+        int headings = movable.headings();
+        LatticePose to = move < 8
+                ? new LatticePose(from.i() + GridFrame.dx(move), from.j() + GridFrame.dy(move), from.k())
+                : new LatticePose(from.i(), from.j(), Math.floorMod(from.k() + (move == 8 ? 1 : -1), headings));
+        if (!hasRoom(from, move) || !rests(to)) {
+            return;
+        }
+        Prices prices = question.prices();
+        long cost = entry.cost + (move < 4 ? prices.straight() : move < 8 ? prices.diagonal() : prices.turn());
+        int stand = entry.state.stand;
+        if (grip != null) {
+            SlowGrip.Walk walk = grip.walk(entry.state, move);
+            if (walk == null) {
+                return;
+            }
+            stand = walk.stand();
+            cost += walk.straight() * prices.walkStraight() + walk.diagonal() * prices.walkDiagonal();
+        }
+        add(entry.state, new State(to, stand), cost);
+    }
+
+    private void add(State parent, State state, long cost) {
+        if (!best.containsKey(state) || cost < best.get(state)) {
+            best.put(state, cost);
+            parents.put(state, parent);
+            open.add(new Entry(state, cost, number++));
+        }
+    }
+
+    private boolean hasRoom(LatticePose from, int move) {
+        int sure = moments.judge(from, move);
+        if (sure != 0) {
+            return sure > 0;
+        }
+        exact.choose(from.i(), from.j(), from.k());
+        return move < 8 ? exact.canShift(move) : exact.canTurn(move == 8);
+    }
+
+    private boolean rests(LatticePose at) {
+        Pose pose = pose(at);
+        Polygon shape = movable.obstacle().outline();
+        var box = shape.bounds();
+        int total = 0;
+        int carried = 0;
+        for (int n = 0; n < 256; n++) {
+            double x = box.minX() + (n % 16 + 0.5) / 16 * (box.maxX() - box.minX());
+            double y = box.minY() + (n / 16 + 0.5) / 16 * (box.maxY() - box.minY());
+            if (shape.contains(x, y)) {
+                double dx = x - movable.centroid().x();
+                double dy = y - movable.centroid().y();
+                double cos = Math.cos(pose.headingRad());
+                double sin = Math.sin(pose.headingRad());
+                total++;
+                carried += carries(pose.x() + cos * dx - sin * dy, pose.y() + sin * dx + cos * dy) ? 1 : 0;
+            }
+        }
+        return carries(pose.x(), pose.y()) && carried >= 0.6 * total - 1e-9;
+    }
+
+    private boolean carries(double x, double y) {
+        double at = movable.obstacle().offset();
+        double ground = 0;
+        for (Ditch ditch : scene.ditches()) {
+            ground = ditch.outline().contains(x, y) ? Math.min(ground, -ditch.depth()) : ground;
+        }
+        boolean carried = Math.abs(ground - at) < 1e-9;
+        for (Obstacle o : scene.obstacles()) {
+            carried |=
+                    !o.movable() && Math.abs(o.top() - at) < 1e-9 && o.outline().contains(x, y);
+        }
+        return carried;
+    }
+}
