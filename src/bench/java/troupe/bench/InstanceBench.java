@@ -120,6 +120,6 @@ public class InstanceBench {
     @Benchmark
     @OperationsPerInvocation(EXPANSIONS)
     public Instance grip() {
-        return run(Optional.of(new Grip(movable, surroundings, without, trigger, pose -> without)));
+        return run(Optional.of(new Grip(movable, surroundings, without, trigger, (pose, stand) -> true)));
     }
 }

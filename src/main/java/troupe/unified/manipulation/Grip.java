@@ -44,10 +44,13 @@ public final class Grip {
     private double y;
     private double distance;
 
-    /** Gives the region of the search space in which the obstacle has been put somewhere else. */
+    /** Knows what the search space is like in which the obstacle has been put somewhere else. */
     public interface Spaces {
-        /** Returns the region with the obstacle at a pose. */
-        Region at(LatticePose pose);
+        /**
+         * Tells whether the actor can stand and walk at a configuration with the obstacle at a pose, and get from
+         * there to a place of the expected path.
+         */
+        boolean goesOn(LatticePose pose, int configuration);
     }
 
     /**
@@ -56,7 +59,7 @@ public final class Grip {
      * @param surroundings where everything stands
      * @param without the region of that space without the obstacle
      * @param trigger the span on which the actor stands, at the centre of its cell
-     * @param spaces gives the region after the move; asked only where the obstacle bars nothing any more
+     * @param spaces tells what comes after the move; asked only where the obstacle bars nothing any more
      */
     public Grip(Movable movable, Surroundings surroundings, Region without, int trigger, Spaces spaces) {
         this.movable = movable;
@@ -224,7 +227,8 @@ public final class Grip {
 
     /**
      * Tells whether the actor can let go: in the space with the obstacle at the pose it can stand and walk
-     * where it is, and its body has room on the way to the centre of its cell.
+     * where it is, its body has room on the way to the centre of its cell, and it can go on from there: else it
+     * might pull the obstacle after itself into a dead end.
      */
     boolean settles(int configuration, int toI, int toJ, int toK) {
         choose(configuration, toI, toJ, toK);
@@ -242,7 +246,6 @@ public final class Grip {
                 return false;
             }
         }
-        Region after = spaces.at(pose);
-        return after.open(configuration) && canStand(after, configuration);
+        return spaces.goesOn(pose, configuration);
     }
 }

@@ -53,7 +53,7 @@ final class SlowGrip {
                 new Surroundings(scene),
                 base.without(number),
                 trigger,
-                pose -> base.with(number, movable.outline(pose)));
+                (pose, stand) -> stands(base.with(number, movable.outline(pose)), stand));
     }
 
     private Point at(LatticePose pose, double turns) {
