@@ -27,7 +27,7 @@ import troupe.scene.World;
 /**
  * Reads a scene of navigation among movable obstacles from an SVG drawing of NAMOSIM: centimetres in units
  * of the {@code viewBox}, y down. Paths of type {@code wall} become obstacles of {@value #WALL_HEIGHT} m, those
- * of type {@code movable} movable ones of {@value #MOVABLE_HEIGHT} m; each agent of {@code namo_config} becomes an
+ * of type {@code movable} movable ones of {@value #MOVABLE_HEIGHT} m and {@value #MOVABLE_MASS} kg; each agent of {@code namo_config} becomes an
  * actor that walks and moves things, the disc about its centroid that encloses its shape at any heading, grown
  * by {@code collision_margin_cm} where that is given; each of its goals becomes a journey from where it
  * stands. Attributes with a prefix are not read, as NAMOSIM does not.
@@ -38,6 +38,9 @@ import troupe.scene.World;
 final class NamosimImport implements Importer {
     static final double WALL_HEIGHT = 3;
     static final double MOVABLE_HEIGHT = 0.8;
+    /** Heavy enough that a detour of a few metres costs less than to push, as its planners have it. */
+    static final double MOVABLE_MASS = 100;
+
     static final double BODY_HEIGHT = 1;
     static final double STEP_HEIGHT = 0.05;
     private static final double FOOT_RADIUS = 0.1;
@@ -157,7 +160,7 @@ final class NamosimImport implements Importer {
                 boolean movable = figure.type().equals("movable");
                 if (movable || figure.type().equals("wall")) {
                     double height = movable ? MOVABLE_HEIGHT : WALL_HEIGHT;
-                    double mass = Obstacle.DEFAULT_MASS;
+                    double mass = movable ? MOVABLE_MASS : Obstacle.DEFAULT_MASS;
                     lines.putIfAbsent(figure.id(), figure.line());
                     obstacles.add(new Obstacle(figure.id(), "", outline(figure), 0, height, movable, mass, ""));
                 }

@@ -1,6 +1,6 @@
 package troupe.geometry;
 
-/** Measures straight segments of the plane; all lengths in metres, no allocation. */
+/** Measures straight segments of the plane; all lengths in metres. */
 public final class Segments {
     private Segments() {}
 
@@ -21,6 +21,15 @@ public final class Segments {
         }
         double cross = (px - ax) * dy - (py - ay) * dx;
         return cross * cross / length;
+    }
+
+    /** Returns the point of the closed segment {@code a-b} that is nearest to {@code (px, py)}. */
+    public static Point nearest(double px, double py, double ax, double ay, double bx, double by) {
+        double dx = bx - ax;
+        double dy = by - ay;
+        double length = dx * dx + dy * dy;
+        double share = length == 0 ? 0 : Math.max(0, Math.min(1, ((px - ax) * dx + (py - ay) * dy) / length));
+        return new Point(ax + share * dx, ay + share * dy);
     }
 
     /** Tells whether the closed segments {@code a-b} and {@code c-d} share a point; exact. */

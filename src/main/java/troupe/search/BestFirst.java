@@ -46,7 +46,7 @@ public final class BestFirst {
         while (outcome.isRunning() && expanded < end && !waiting) {
             if (open.isEmpty()) {
                 outcome = failure;
-            } else if (expanded == limit) {
+            } else if (expanded >= limit) {
                 outcome = Outcome.EXHAUSTED;
             } else {
                 take();
@@ -83,6 +83,11 @@ public final class BestFirst {
     /** Returns the expansions so far. */
     public long expanded() {
         return expanded;
+    }
+
+    /** Counts work that was done outside of the loop, while an item waited, like {@code expansions} made here. */
+    public void charge(long expansions) {
+        expanded += expansions;
     }
 
     /** Ends the search with the outcome {@code Cancelled}, unless it has ended already. */

@@ -5,29 +5,22 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import troupe.grid.GridLimitException;
-import troupe.grid.field.Nf2;
-import troupe.grid.layer.Layers;
 import troupe.grid.region.Region;
-import troupe.grid.region.RegionBuilder;
+import troupe.run.Aspect;
 import troupe.run.Engine;
 import troupe.run.FrameRecorder;
 import troupe.run.Frames;
-import troupe.run.GridOverlays;
 import troupe.run.Overlay;
 import troupe.run.Run;
 import troupe.scene.Actor;
 import troupe.scene.Journey;
-import troupe.scene.Ordering;
 import troupe.scene.Scene;
 import troupe.search.Outcome;
-import troupe.unified.body.SweptBody;
 import troupe.unified.motion.Motion;
 import troupe.unified.motion.RouteBuilder;
 import troupe.unified.search.JourneyCosts;
 import troupe.unified.search.JourneyPath;
-import troupe.unified.search.JourneyQuery;
 import troupe.unified.search.JourneySearch;
-import troupe.unified.search.JourneyWorkspace;
 
 /**
  * Plans a journey: layers, region, where the ordering asks for it NF2, the search, and then the motion of
@@ -45,11 +38,7 @@ public final class JourneyEngine implements Engine {
     private final StageTimes times = new StageTimes();
 
     private Outcome outcome = Outcome.RUNNING;
-    private Layers layers;
-    private Region region;
-    private Nf2 nf2;
-    private Standpoint start;
-    private Standpoint goal;
+    private final Preparation prepared;
     private JourneySearch search;
     private JourneyPath path;
     private Separation separation;
@@ -62,8 +51,9 @@ public final class JourneyEngine implements Engine {
         this.actor = actor;
         this.costs =
                 new JourneyCosts(actor, journey.preferences(), scene.world().cell());
-        this.motion =
-                new Motion.Recorded(new FrameRecorder(Motion.RATE, Motion.channels(actor.id())).frames(), List.of());
+        this.prepared = new Preparation(scene, journey, actor, times);
+        this.motion = new Motion.Recorded(
+                new FrameRecorder(Motion.RATE, Motion.channels(actor.id(), List.of())).frames(), List.of());
     }
 
     /**
@@ -83,7 +73,7 @@ public final class JourneyEngine implements Engine {
         if (budget < 1) {
             throw new IllegalArgumentException("budget=" + budget + "; needs at least 1");
         }
-        if (region == null && outcome.isRunning()) {
+        if (!prepared.isBuilt() && outcome.isRunning()) {
             try {
                 prepare();
             } catch (GridLimitException tooMuch) {
@@ -98,37 +88,21 @@ public final class JourneyEngine implements Engine {
     }
 
     private void prepare() {
-        RegionBuilder builder = new RegionBuilder(scene, actor);
-        times.measure(StageTimes.LAYERS, () -> layers = builder.layers());
-        times.measure(StageTimes.REGION, () -> region = builder.region());
-        start = Standpoint.at(region, scene, journey.start(), "start");
-        goal = Standpoint.at(region, scene, journey.goal(), "goal");
-        if (start.configuration() < 0 || goal.configuration() < 0) {
-            outcome = new Outcome.Infeasible(start.configuration() < 0 ? start.reason() : goal.reason());
-            return;
+        prepared.build();
+        if (prepared.isPossible()) {
+            times.measure(StageTimes.SEARCH, () -> search = prepared.search(costs, journey.expansions()));
+        } else {
+            Standpoint start = prepared.start();
+            outcome = new Outcome.Infeasible(
+                    start.configuration() < 0 ? start.reason() : prepared.goal().reason());
         }
-        JourneyQuery.Potential potential = JourneyQuery.Potential.NONE;
-        if (journey.ordering() instanceof Ordering.Paper) {
-            potential = field()::potential;
-        }
-        JourneyQuery query = new JourneyQuery(
-                start.configuration(), goal.configuration(), journey.ordering(), potential, journey.expansions());
-        times.measure(StageTimes.SEARCH, () -> search = new JourneySearch(new JourneyWorkspace(region), costs, query));
-    }
-
-    /** Returns the NF2 field of the goal, made when it is first asked for. */
-    private Nf2 field() {
-        if (nf2 == null) {
-            times.measure(StageTimes.NF2, () -> nf2 = new Nf2(region).compute(goal.configuration(), journey.spread()));
-        }
-        return nf2;
     }
 
     private long searchOn(long budget) {
         long before = searched();
         times.measure(StageTimes.SEARCH, () -> search.step(budget));
         if (search.outcome() instanceof Outcome.Infeasible) {
-            separation = new Separation(scene, journey, region, start.configuration(), goal.configuration());
+            separation = new Separation(scene, journey, prepared);
             endIfExplained();
         } else {
             if (search.outcome().isFound()) {
@@ -142,7 +116,7 @@ public final class JourneyEngine implements Engine {
     }
 
     private void travel() {
-        RouteBuilder builder = new RouteBuilder(region, costs, new SweptBody(scene, actor));
+        RouteBuilder builder = new RouteBuilder(scene, actor, costs);
         Motion travelled = new Motion(actor, builder.route(path));
         if (travelled.leastSeconds() > Motion.LONGEST) {
             path = null;
@@ -171,7 +145,7 @@ public final class JourneyEngine implements Engine {
     }
 
     private long searched() {
-        return search == null ? 0 : search.expanded() + search.estimated();
+        return search == null ? 0 : search.expanded() + search.estimated() + search.manipulated();
     }
 
     @Override
@@ -193,22 +167,26 @@ public final class JourneyEngine implements Engine {
 
     @Override
     public List<Overlay> overlays() {
-        if (region == null) {
-            return List.of();
-        }
-        Nf2 potential = goal.configuration() < 0 ? null : field();
-        GridOverlays grid = new GridOverlays(region, layers);
-        List<Overlay> views = new ArrayList<>();
-        GridOverlays.KEYS.forEach(key -> views.addAll(grid.of(key, potential)));
-        if (search != null) {
-            views.addAll(SearchEffort.of(region, layers, search));
-        }
-        return List.copyOf(views);
+        return overlays(List.of());
+    }
+
+    @Override
+    public List<Aspect> aspects(List<Integer> chosen) {
+        return views().aspects(chosen);
+    }
+
+    @Override
+    public List<Overlay> overlays(List<Integer> chosen) {
+        return prepared.isBuilt() ? views().overlays(chosen) : List.of();
+    }
+
+    private JourneyViews views() {
+        return new JourneyViews(prepared, Optional.ofNullable(search));
     }
 
     /** Returns the region that is searched, empty before the first step. */
     public Optional<Region> region() {
-        return Optional.ofNullable(region);
+        return Optional.ofNullable(prepared.region());
     }
 
     /** Returns the way over the grid, empty unless one was found. */
@@ -221,7 +199,7 @@ public final class JourneyEngine implements Engine {
         Frames frames = motion.frames();
         JourneyReport report = new JourneyReport(times, frames, motion.legs());
         if (search != null) {
-            report.searched(search.expanded(), search.generated());
+            report.searched(search);
         }
         if (path != null) {
             report.found(path);
@@ -232,9 +210,9 @@ public final class JourneyEngine implements Engine {
                     separation.blockedBy(),
                     separation.blockedTogether(),
                     separation.wouldHelp());
-        } else if (outcome instanceof Outcome.Infeasible && search == null && start != null) {
-            List<String> ids = new ArrayList<>(start.blockedBy());
-            ids.addAll(goal.blockedBy());
+        } else if (outcome instanceof Outcome.Infeasible && search == null && prepared.isBuilt()) {
+            List<String> ids = new ArrayList<>(prepared.start().blockedBy());
+            ids.addAll(prepared.goal().blockedBy());
             report.separated(0, ids.stream().distinct().toList(), List.of(), List.of());
         }
         return new Run(scene, journey.id(), outcome, report.build(), frames, motion.legs(), List.of());

@@ -2,11 +2,17 @@ package troupe.unified;
 
 import java.util.ArrayList;
 import java.util.List;
+import troupe.geometry.Pose;
 import troupe.run.Frames;
 import troupe.run.Report;
 import troupe.run.Run;
 import troupe.scene.Ability;
+import troupe.search.Outcome;
+import troupe.unified.manipulation.LatticePose;
 import troupe.unified.search.JourneyPath;
+import troupe.unified.search.JourneySearch;
+import troupe.unified.search.MoveAttempt;
+import troupe.unified.search.SearchSpace;
 
 /**
  * Writes the report of a journey. Its keys are the same whether a way was found or not; without a way the
@@ -17,8 +23,7 @@ final class JourneyReport {
     private final StageTimes times;
     private final Frames frames;
     private final List<Run.Leg> legs;
-    private long expanded;
-    private long generated;
+    private JourneySearch search;
     private JourneyPath path = new JourneyPath(List.of(), 0, 0, zeros(), zeros());
     private boolean solved;
     private double reachedArea;
@@ -37,9 +42,8 @@ final class JourneyReport {
     }
 
     /** Puts down the work of the search. */
-    void searched(long labelsExpanded, long labelsGenerated) {
-        expanded = labelsExpanded;
-        generated = labelsGenerated;
+    void searched(JourneySearch done) {
+        search = done;
     }
 
     /** Puts down the way. */
@@ -67,9 +71,13 @@ final class JourneyReport {
                 .put("energy_by_ability", byAbility(path.energyByAbility()))
                 .put("cost_by_ability", byAbility(path.costByAbility()))
                 .put("take_offs", path.takeOffs())
-                .put("moved", List.of())
-                .put("expanded", expanded)
-                .put("generated", generated)
+                .put("moved", moved())
+                .put("transit_length", path.length() - path.transferLength())
+                .put("transfer_length", path.transferLength())
+                .put("expanded", search == null ? 0L : search.expanded())
+                .put("generated", search == null ? 0L : search.generated())
+                .put("spaces", spaces())
+                .put("instances", instances())
                 .put("times_ms", times.report())
                 .put("frames", frames.count())
                 .put("duration", frames.duration());
@@ -92,6 +100,67 @@ final class JourneyReport {
             }
         }
         return used;
+    }
+
+    /** Returns what was moved, in order: where its centroid was and is, in metres, and how far it travelled and turned. */
+    private List<Report> moved() {
+        List<Report> moved = new ArrayList<>();
+        for (JourneyPath.Push push : path.pushes()) {
+            moved.add(Report.builder()
+                    .put("id", push.movable().obstacle().id())
+                    .put("from", place(push.movable().pose(LatticePose.HOME)))
+                    .put("to", place(push.movable().pose(push.transfer().last())))
+                    .put(
+                            "heading",
+                            Math.toDegrees(
+                                    push.movable().pose(push.transfer().last()).headingRad()))
+                    .put("length", push.transfer().length())
+                    .put("turn", Math.toDegrees(push.transfer().turn()))
+                    .build());
+        }
+        return moved;
+    }
+
+    private static List<Double> place(Pose pose) {
+        return List.of(pose.x(), pose.y());
+    }
+
+    /** Returns for each search space what has been moved in it and the labels that it got. */
+    private List<Report> spaces() {
+        List<Report> spaces = new ArrayList<>();
+        for (SearchSpace space : search == null ? List.<SearchSpace>of() : search.spaces()) {
+            List<String> moved =
+                    space.moved().stream().map(m -> m.obstacle().id()).toList();
+            spaces.add(Report.builder()
+                    .put("moved", moved)
+                    .put("expanded", space.expanded())
+                    .put("generated", space.generated())
+                    .build());
+        }
+        return spaces;
+    }
+
+    /** Returns how many manipulation instances there were, how often they were gone on with, and how they ended. */
+    private Report instances() {
+        long established = 0;
+        long resumed = 0;
+        long finished = 0;
+        long failed = 0;
+        for (SearchSpace space : search == null ? List.<SearchSpace>of() : search.spaces()) {
+            for (MoveAttempt attempt : space.attempts()) {
+                established++;
+                resumed += Math.max(0, attempt.turns() - 1);
+                finished += attempt.outcome().isFound() ? 1 : 0;
+                failed += attempt.outcome() instanceof Outcome.Infeasible ? 1 : 0;
+            }
+        }
+        return Report.builder()
+                .put("established", established)
+                .put("resumed", resumed)
+                .put("finished", finished)
+                .put("failed", failed)
+                .put("expanded", search == null ? 0L : search.manipulated())
+                .build();
     }
 
     private double smoothedLength() {

@@ -8,8 +8,10 @@ import troupe.grid.layer.Layers;
 import troupe.grid.region.Region;
 import troupe.run.Overlay;
 import troupe.unified.search.JourneySearch;
+import troupe.unified.search.SearchSpace;
 
-/** Shows where a search has worked: how many labels it has made over each cell of each layer. */
+/** Shows where a search has worked: how many labels of a search space it has made over each cell of
+ * each layer. */
 final class SearchEffort {
     private SearchEffort() {}
 
@@ -17,13 +19,14 @@ final class SearchEffort {
      * Returns one field for each layer, key {@code effort}, in labels; NaN where there is none. A crossing
      * counts in the layer that it is entered from. Cost O(cells of all layers + labels).
      */
-    static List<Overlay> of(Region region, Layers layers, JourneySearch search) {
+    static List<Overlay> of(Layers layers, JourneySearch search, SearchSpace space) {
+        Region region = space.region();
         float[][] labels = new float[layers.count()][region.frame().size()];
         for (float[] field : labels) {
             Arrays.fill(field, Float.NaN);
         }
         float[] most = {1};
-        search.forEachLabel(q -> {
+        search.forEachLabel(space, q -> {
             float[] field = labels[layer(region, layers, q)];
             int cell = region.cell(q);
             field[cell] = Float.isNaN(field[cell]) ? 1 : field[cell] + 1;

@@ -26,9 +26,7 @@ import troupe.scene.Preferences;
 import troupe.scene.Scene;
 import troupe.search.Outcome;
 import troupe.unified.search.JourneyCosts;
-import troupe.unified.search.JourneyQuery;
 import troupe.unified.search.JourneySearch;
-import troupe.unified.search.JourneyWorkspace;
 
 /**
  * Finds out why there is no way, in words that a person can act on: how far the start reaches, and which
@@ -79,22 +77,21 @@ final class Separation {
     /**
      * Prepares the trials.
      *
-     * @param region the region of the actor as the preferences leave it
-     * @param start an open configuration of the region
-     * @param goal an open configuration of the region
+     * @param prepared the search that found no way, its actor as the preferences leave it
      */
-    Separation(Scene scene, Journey journey, Region region, int start, int goal) {
+    Separation(Scene scene, Journey journey, Preparation prepared) {
         this.scene = scene;
         this.journey = journey;
+        this.region = prepared.region();
         this.actor = region.actor();
-        this.region = region;
-        Reach fromStart = Reach.from(region, start);
+        Reach fromStart = Reach.from(region, prepared.start().configuration());
         this.reachedArea = area(fromStart);
         if (journey.ordering() instanceof Ordering.Paper) {
             trials.add(new AsOptimal());
         }
         missing().forEach(a -> trials.add(new With(a)));
-        between(fromStart, Reach.from(region, goal)).forEach(e -> trials.add(new Without(e)));
+        Reach fromGoal = Reach.from(prepared.open(), prepared.goal().configuration());
+        between(fromStart, fromGoal).forEach(e -> trials.add(new Without(e)));
         if (movables().size() > 1 && movables().size() <= MOST_OBSTACLES) {
             trials.add(new WithoutMovables());
         }
@@ -105,8 +102,9 @@ final class Separation {
 
     /** Returns the abilities that planning knows and the actor does not have here. */
     private List<Ability> missing() {
-        return List.of(Ability.SIDESTEP, Ability.STRIDE, Ability.VAULT).stream()
+        return List.of(Ability.SIDESTEP, Ability.STRIDE, Ability.VAULT, Ability.MOVE).stream()
                 .filter(a -> !actor.abilities().contains(a))
+                .filter(a -> a != Ability.MOVE || !movables().isEmpty())
                 .toList();
     }
 
@@ -249,7 +247,7 @@ final class Separation {
                 given(more, Ability.SIDESTEP, actor.sidestep(), full.sidestep(), standard.sidestep()),
                 given(more, Ability.STRIDE, actor.stride(), full.stride(), standard.stride()),
                 given(more, Ability.VAULT, actor.vault(), full.vault(), standard.vault()),
-                actor.move());
+                given(more, Ability.MOVE, actor.move(), full.move(), standard.move()));
     }
 
     private static <T> Optional<T> given(
@@ -259,23 +257,19 @@ final class Separation {
 
     /** Tells whether a search finds a way after a change. */
     private boolean leads(Scene changed, Actor equipped) {
-        Region other;
+        Journey trial = journey.with(Ordering.OPTIMAL);
+        Preparation other = new Preparation(changed, trial, equipped, new StageTimes());
         try {
-            other = Region.of(changed, equipped);
+            other.build();
         } catch (GridLimitException tooMuch) {
             return false;
         }
-        int start = other.locate(journey.start());
-        int goal = other.locate(journey.goal());
-        if (start < 0 || goal < 0 || !other.open(start) || !other.open(goal)) {
+        if (!other.isPossible()) {
             return false;
         }
         JourneyCosts costs =
                 new JourneyCosts(equipped, Preferences.NEUTRAL, changed.world().cell());
-        JourneySearch search = new JourneySearch(
-                new JourneyWorkspace(other),
-                costs,
-                new JourneyQuery(start, goal, Ordering.OPTIMAL, JourneyQuery.Potential.NONE, MOST_EXPANSIONS));
+        JourneySearch search = other.search(costs, MOST_EXPANSIONS);
         Outcome outcome = search.outcome();
         while (outcome.isRunning()) {
             outcome = search.step(100_000);

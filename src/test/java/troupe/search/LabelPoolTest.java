@@ -10,11 +10,14 @@ class LabelPoolTest {
     void keepsEveryColumnWhileItGrows() {
         LabelPool pool = new LabelPool(1);
         for (int i = 0; i < 1_000; i++) {
-            assertEquals(i, pool.add(3 * i, i - 1, 5L * i, 0.25 * i, 7 * i, i - 2));
+            assertEquals(i, pool.add(11 * i, 3 * i, i - 1, 5L * i, 0.25 * i, 7 * i, i - 2));
         }
         pool.setNext(10, 999);
+        pool.setTask(20, 5);
         for (int i = 0; i < 1_000; i++) {
+            assertEquals(11 * i, pool.space(i));
             assertEquals(3 * i, pool.state(i));
+            assertEquals(i == 20 ? 5 : LabelPool.NONE, pool.task(i));
             assertEquals(i - 1, pool.parent(i));
             assertEquals(5L * i, pool.cost(i));
             assertEquals(0.25 * i, pool.used(i));

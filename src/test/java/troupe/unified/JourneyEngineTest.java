@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -197,12 +198,15 @@ class JourneyEngineTest implements EngineContract {
 
     @Test
     void saysWhichMovablesBarTheWayTogether() {
-        Run run = plan(
+        Actor walker = Actor.standard("ann").without(EnumSet.of(Ability.MOVE));
+        Run run = plan(scene(
+                walker,
+                RIGHT,
                 new Obstacle("north", "", Polygon.rectangle(4, 5.5, 7, 10), 0, 3, false, 20, ""),
                 new Obstacle("south", "", Polygon.rectangle(4, 0, 7, 4.5), 0, 3, false, 20, ""),
                 new Obstacle("aside", "", Polygon.rectangle(1, 1, 2, 2), 0, 2, true, 20, ""),
                 new Obstacle("first", "", Polygon.rectangle(4.5, 4.6, 5.2, 5.4), 0, 2, true, 20, ""),
-                new Obstacle("second", "", Polygon.rectangle(6, 4.6, 6.7, 5.4), 0, 2, true, 20, ""));
+                new Obstacle("second", "", Polygon.rectangle(6, 4.6, 6.7, 5.4), 0, 2, true, 20, "")));
         assertEquals(List.of("first", "second"), run.report().values().get("blocked_together"));
         assertEquals(List.of("north", "south"), run.report().values().get("blocked_by"));
         String reason =
@@ -270,7 +274,8 @@ class JourneyEngineTest implements EngineContract {
         Obstacle crate = courtyard.obstacle("crate").orElseThrow();
         Pose inTheDoorway = new Pose(8.1, 7.6, 0);
         Scene shut = courtyard.with(crate.withOutline(crate.outline().at(inTheDoorway)));
-        Run run = JourneyEngine.of(shut, (Journey) shut.task("to-the-fountain").orElseThrow())
+        Journey journey = (Journey) shut.task("to-the-fountain").orElseThrow();
+        Run run = JourneyEngine.of(shut, journey.preferring(Preferences.NEUTRAL.with(Ability.MOVE, Preferences.OFF)))
                 .finish();
         assertInstanceOf(Outcome.Infeasible.class, run.outcome());
         List<?> blockedBy = (List<?>) run.report().values().get("blocked_by");

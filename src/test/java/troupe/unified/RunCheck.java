@@ -2,12 +2,14 @@ package troupe.unified;
 
 import static org.junit.jupiter.api.Assertions.fail;
 
+import java.util.List;
 import troupe.geometry.Polygon;
 import troupe.run.Frames;
 import troupe.run.Run;
 import troupe.scene.Ability;
 import troupe.scene.Actor;
 import troupe.scene.Ditch;
+import troupe.scene.Journey;
 import troupe.scene.Obstacle;
 import troupe.scene.Scene;
 
@@ -19,6 +21,8 @@ import troupe.scene.Scene;
 final class RunCheck {
     private static final double SLACK = 1e-6;
     private static final int ROUND = 24;
+    private static final int BETWEEN = 4;
+    private static final double TURNED = 2e-4;
 
     private final Scene scene;
     private final Actor actor;
@@ -27,6 +31,13 @@ final class RunCheck {
     private final String which;
 
     private final boolean exact;
+    private final HaulCheck hauls;
+
+    /** The obstacles where they stand in the frame that is looked at. */
+    private List<Obstacle> obstacles;
+
+    /** What may come near in that frame: an obstacle that is moved without a grip. */
+    private String spared = "";
 
     private RunCheck(Run run, Actor actor, String which, boolean exact) {
         this.exact = exact;
@@ -35,6 +46,7 @@ final class RunCheck {
         this.frames = run.frames();
         this.run = run;
         this.which = which;
+        this.hauls = new HaulCheck(run, which);
     }
 
     /** Fails with the frame and what it meets if the run collides anywhere, steps of the grid as documented. */
@@ -49,7 +61,11 @@ final class RunCheck {
 
     private void all() {
         for (int frame = 0; frame < run.frames().count(); frame++) {
+            obstacles = hauls.at(frame, 0);
             frame(frame);
+            for (int k = 0; k < BETWEEN; k++) {
+                hauls.check(frame, k / (double) BETWEEN);
+            }
         }
     }
 
@@ -62,8 +78,29 @@ final class RunCheck {
             case SIDESTEP -> standing(f, x, y, z, actor.sidestep().orElseThrow().radius());
             case STRIDE -> striding(f, x, y, z);
             case VAULT -> vaulting(f, x, y, z);
-            case MOVE -> fail(which + ": moves an obstacle");
+            case MOVE -> moving(f, x, y, z);
         }
+    }
+
+    /** Without a grip nothing is asked of the actor's distance from what it moves; with one a turn may take 0.1 mm. */
+    private void moving(int f, double x, double y, double z) {
+        boolean grips = run.scene().task(run.task()).orElseThrow() instanceof Journey journey
+                && journey.manipulation() == Journey.Manipulation.GRIP;
+        double time = f / frames.rate();
+        for (Run.Leg leg : run.legs()) {
+            boolean now = time >= leg.begin() - SLACK && time <= leg.end() + SLACK;
+            if (now && !grips && leg.ability().equals(Ability.MOVE.key())) {
+                spared = leg.what();
+            }
+        }
+        solids(
+                f,
+                x,
+                y,
+                z + actor.stepHeight(),
+                z + actor.bodyHeight(),
+                actor.walk().radius() - TURNED);
+        spared = "";
     }
 
     private void standing(int f, double x, double y, double z, double radius) {
@@ -103,7 +140,7 @@ final class RunCheck {
     private void vaulting(int f, double x, double y, double z) {
         double from = takeOff(f);
         Actor.Vault vault = actor.vault().orElseThrow();
-        for (Obstacle o : scene.obstacles()) {
+        for (Obstacle o : obstacles) {
             boolean inTheWay = o.top() > from + actor.stepHeight() + SLACK
                     && o.offset() < z + vault.bodyHeight() - SLACK
                     && distance(o.outline(), x, y) < actor.walk().radius() - SLACK;
@@ -141,8 +178,9 @@ final class RunCheck {
     }
 
     private void solids(int f, double x, double y, double low, double high, double radius) {
-        for (Obstacle o : scene.obstacles()) {
-            if (o.top() > low + SLACK && o.offset() < high - SLACK) {
+        for (Obstacle o : obstacles) {
+            double from = o.movable() ? low - actor.stepHeight() : low;
+            if (o.top() > from + SLACK && o.offset() < high - SLACK && !o.id().equals(spared)) {
                 double distance = distance(o.outline(), x, y);
                 if (distance < radius - SLACK || o.outline().contains(x, y)) {
                     fail(at(f, x, y, low - actor.stepHeight()) + " is " + distance + " m from " + o.id());
@@ -168,7 +206,7 @@ final class RunCheck {
     private double floor(double x, double y, double reach) {
         double floor = ground(x, y);
         for (Obstacle o : scene.obstacles()) {
-            floor = o.top() <= reach && o.outline().contains(x, y) ? Math.max(floor, o.top()) : floor;
+            floor = !o.movable() && o.top() <= reach && o.outline().contains(x, y) ? Math.max(floor, o.top()) : floor;
         }
         return floor;
     }

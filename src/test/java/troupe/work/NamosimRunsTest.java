@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import troupe.SharedData;
@@ -73,6 +75,28 @@ class NamosimRunsTest {
                 scene.actors(),
                 scene.tasks());
         assertEquals(true, planned(walls, "goal_0").get("solved"), name + " past the walls alone");
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "obstacle_on_goal, movable_box",
+        "teleop, movable_box",
+        "1_robot_2_obstacles, box_1 box_2",
+        "overlapping_movables, movable_box movable_box-3"
+    })
+    void movesWhatBarsTheWay(String name, String barring) throws Exception {
+        Scene drawn = Formats.importer("namosim").read(SharedData.require("namo/" + name + ".svg"));
+        for (String manipulation : List.of("grip", "free")) {
+            Scene scene = Settings.apply(drawn, "goal_0", "manipulation", manipulation);
+            Map<String, Object> report = planned(scene, "goal_0");
+            assertEquals(true, report.get("solved"), name + " " + manipulation);
+            Set<String> moved = new TreeSet<>();
+            for (Object each : (List<?>) report.get("moved")) {
+                moved.add((String) ((Report) each).values().get("id"));
+            }
+            assertEquals(barring, String.join(" ", moved), name + " " + manipulation);
+            assertEquals(manipulation.equals("grip"), (double) report.get("transfer_length") > 0, name);
+        }
     }
 
     private static Map<String, Object> planned(Scene scene, String task) {

@@ -1,5 +1,6 @@
 package troupe.grid.region;
 
+import java.util.Arrays;
 import java.util.BitSet;
 
 /**
@@ -26,19 +27,26 @@ public final class Reach {
         }
         Reach reach = new Reach(region);
         if (region.open(start)) {
-            reach.flood(start);
+            reach.flood(start, new BitSet());
         }
         return reach;
     }
 
-    private void flood(int start) {
-        int[] queue = new int[region.size()];
+    /** Floods from an open configuration until one of some others is found; returns whether one was. */
+    private boolean flood(int start, BitSet others) {
+        int[] queue = new int[256];
         int[] targets = new int[Region.MAX_NEIGHBOURS];
         int[] directions = new int[Region.MAX_NEIGHBOURS];
         reached.set(start);
         queue[count++] = start;
         for (int head = 0; head < count; head++) {
+            if (others.get(queue[head])) {
+                return true;
+            }
             int n = region.neighbours(queue[head], targets, directions);
+            if (count + n > queue.length) {
+                queue = Arrays.copyOf(queue, 2 * queue.length + n);
+            }
             for (int i = 0; i < n; i++) {
                 if (!reached.get(targets[i])) {
                     reached.set(targets[i]);
@@ -46,6 +54,16 @@ public final class Reach {
                 }
             }
         }
+        return false;
+    }
+
+    /**
+     * Tells whether legal steps lead from a configuration to one of some others; so it is where it is one of
+     * them itself. Ends with the first that is found. Cost O(reached).
+     */
+    public static boolean leads(Region region, int start, BitSet others) {
+        Reach reach = new Reach(region);
+        return region.open(start) && reach.flood(start, others);
     }
 
     /** Tells whether the configuration can be reached. */

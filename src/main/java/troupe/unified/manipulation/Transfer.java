@@ -32,6 +32,11 @@ public record Transfer(
         }
     }
 
+    /** Returns the same transfer by an actor that stands at a configuration all the while. */
+    public Transfer beside(int configuration) {
+        return new Transfer(obstacle, false, configuration, configuration, poses, length, turn, 0);
+    }
+
     /** Returns where the obstacle was put. */
     public LatticePose last() {
         return poses.get(poses.size() - 1);

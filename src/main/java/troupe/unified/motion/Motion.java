@@ -2,8 +2,10 @@ package troupe.unified.motion;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
 import java.util.stream.Collectors;
+import troupe.geometry.Pose;
 import troupe.run.Channel;
 import troupe.run.FrameRecorder;
 import troupe.run.Frames;
@@ -18,8 +20,11 @@ import troupe.scene.Actor;
  * the actor stands until it is turned as the ability asks: sideways to the way, or along it. The gait phase
  * grows by one per {@link #CYCLE} metres, and over a crossing from 0 to 1.
  *
- * <p>Channels, all of the actor: {@code x, y, z} in metres, {@code heading} in radians in (-π, π],
- * {@code ability} as the ordinal of {@link Ability}, {@code phase} in [0, 1). Used once, by one thread.
+ * <p>Channels, first of the actor: {@code x, y, z} in metres, {@code heading} in radians in (-π, π],
+ * {@code ability} as the ordinal of {@link Ability}, {@code phase} in [0, 1). Then, for each obstacle that is
+ * moved, in document order, {@code x, y} of its centroid in metres and {@code heading} in radians, 0 as drawn,
+ * without jumps. While it moves an obstacle the actor faces its hold, or what it moves without a grip. Used
+ * once, by one thread.
  */
 public final class Motion {
     public static final double RATE = 25;
@@ -42,6 +47,11 @@ public final class Motion {
     private final FrameRecorder recorder;
     private final List<Run.Leg> legs = new ArrayList<>();
 
+    /** What is moved, in the order of the channels. */
+    private final List<Haul> hauls;
+
+    private final double[] values;
+
     private double time;
     private double heading;
     private double phase;
@@ -60,19 +70,36 @@ public final class Motion {
     public Motion(Actor actor, List<Stretch> route) {
         this.actor = actor;
         this.route = List.copyOf(route);
-        this.recorder = new FrameRecorder(RATE, channels(actor.id()));
+        this.hauls = this.route.stream()
+                .flatMap(stretch -> stretch.haul().stream())
+                .sorted(Comparator.comparingInt(haul -> haul.movable().number()))
+                .toList();
+        this.recorder = new FrameRecorder(
+                RATE,
+                channels(
+                        actor.id(),
+                        hauls.stream()
+                                .map(haul -> haul.movable().obstacle().id())
+                                .toList()));
+        this.values = new double[6 + 3 * hauls.size()];
     }
 
-    /** Returns the channels of a run in which one actor moves. */
-    public static List<Channel> channels(String actor) {
+    /** Returns the channels of a run in which one actor moves, and moves obstacles. */
+    public static List<Channel> channels(String actor, List<String> obstacles) {
         String words = Arrays.stream(Ability.values()).map(Ability::key).collect(Collectors.joining(","));
-        return List.of(
+        List<Channel> channels = new ArrayList<>(List.of(
                 new Channel("x", "m", Channel.Type.F64, actor, 1),
                 new Channel("y", "m", Channel.Type.F64, actor, 1),
                 new Channel("z", "m", Channel.Type.F64, actor, 1),
                 new Channel("heading", "rad", Channel.Type.F64, actor, 1),
                 new Channel("ability", words, Channel.Type.U8, actor, 1),
-                new Channel("phase", "1", Channel.Type.F32, actor, 1));
+                new Channel("phase", "1", Channel.Type.F32, actor, 1)));
+        for (String obstacle : obstacles) {
+            channels.add(new Channel("x", "m", Channel.Type.F64, obstacle, 1));
+            channels.add(new Channel("y", "m", Channel.Type.F64, obstacle, 1));
+            channels.add(new Channel("heading", "rad", Channel.Type.F64, obstacle, 1));
+        }
+        return List.copyOf(channels);
     }
 
     /** What a motion leaves behind: its frames and its legs, one per stretch. */
@@ -135,7 +162,7 @@ public final class Motion {
         Stretch stretch = route.get(current);
         return along == 0
                 && !track.isStill()
-                && (stretch.isCrossing() || stretch.ability() == Ability.SIDESTEP)
+                && (stretch.isCrossing() || stretch.ability() == Ability.SIDESTEP || stretch.ability() == Ability.MOVE)
                 && Math.abs(wrapped(wanted() - heading)) > ALIGNED;
     }
 
@@ -150,14 +177,20 @@ public final class Motion {
         double speed = speed(route.get(current).ability());
         double used = Math.min(seconds, (track.length() - along) / speed);
         along = used < seconds ? track.length() : along + used * speed;
-        if (!track.isStill()) {
+        Stretch stretch = route.get(current);
+        boolean gripped = stretch.haul().filter(Haul::isGripped).isPresent();
+        if (gripped) {
+            heading = wanted();
+        } else if (!track.isStill()) {
             double missing = wrapped(wanted() - heading);
             double most = used * TURN_RATE;
             heading = wrapped(heading + Math.max(-most, Math.min(most, missing)));
         }
-        phase = route.get(current).isCrossing() && !track.isStill()
-                ? along / track.length()
-                : (phase + used * speed / CYCLE) % 1;
+        if (stretch.isCrossing() && !track.isStill()) {
+            phase = along / track.length();
+        } else if (gripped || stretch.haul().isEmpty()) {
+            phase = (phase + used * speed / CYCLE) % 1;
+        }
         return used;
     }
 
@@ -174,6 +207,9 @@ public final class Motion {
     /** Returns the heading that the ability asks for here. */
     private double wanted() {
         Stretch stretch = route.get(current);
+        if (stretch.haul().isPresent()) {
+            return stretch.haul().get().facing(along);
+        }
         if (stretch.ability() == Ability.SIDESTEP) {
             return wrapped(track.direction(along) + sideways);
         }
@@ -199,7 +235,29 @@ public final class Motion {
     private void append() {
         double[] at = track.at(along);
         Ability ability = route.get(Math.min(current, route.size() - 1)).ability();
-        recorder.append(at[0], at[1], at[2], heading, ability.ordinal(), Math.min((float) phase, JUST_BELOW_ONE));
+        System.arraycopy(at, 0, values, 0, 3);
+        values[3] = heading;
+        values[4] = ability.ordinal();
+        values[5] = Math.min((float) phase, JUST_BELOW_ONE);
+        for (int i = 0; i < hauls.size(); i++) {
+            Pose pose = hauls.get(i).obstacle(hauled(hauls.get(i)));
+            values[6 + 3 * i] = pose.x();
+            values[7 + 3 * i] = pose.y();
+            values[8 + 3 * i] = pose.headingRad();
+        }
+        recorder.append(values);
+    }
+
+    /** Returns how far a haul has come by now: 0 before its stretch is begun, all of it afterwards. */
+    private double hauled(Haul haul) {
+        for (int i = 0; i < current; i++) {
+            if (route.get(i).haul().filter(h -> h == haul).isPresent()) {
+                return haul.length();
+            }
+        }
+        boolean under = current < route.size()
+                && route.get(current).haul().filter(h -> h == haul).isPresent();
+        return under ? along : 0;
     }
 
     /** Returns the angle in (-π, π]. */

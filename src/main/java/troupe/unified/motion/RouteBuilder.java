@@ -1,101 +1,68 @@
 package troupe.unified.motion;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
-import troupe.geometry.Line;
-import troupe.grid.GridFrame;
-import troupe.grid.region.Kind;
+import java.util.Objects;
+import java.util.Optional;
 import troupe.grid.region.Region;
 import troupe.scene.Ability;
+import troupe.scene.Actor;
 import troupe.scene.Obstacle;
+import troupe.scene.Scene;
 import troupe.unified.body.SweptBody;
+import troupe.unified.manipulation.Movable;
+import troupe.unified.manipulation.Transfer;
 import troupe.unified.search.JourneyCosts;
 import troupe.unified.search.JourneyPath;
 
 /**
- * Makes of a path over the grid the stretches that an actor travels: consecutive steps of one ability are
- * one smoothed stretch, each crossing is a stretch of its own, straight between the two standing
- * configurations. The energies of the stretches add up to that of the path.
+ * Makes of a path the stretches that an actor travels: those of its ways, each in the scene as it stands by
+ * then, and one for each obstacle that is moved. The energies of the stretches add up to that of the path.
  */
 public final class RouteBuilder {
-    private final Region region;
+    private final Scene scene;
+    private final Actor actor;
     private final JourneyCosts costs;
-    private final SweptBody body;
 
-    public RouteBuilder(Region region, JourneyCosts costs, SweptBody body) {
-        this.region = region;
+    /** Makes the routes of an actor, which has already lost the abilities that preferences switch off. */
+    public RouteBuilder(Scene scene, Actor actor, JourneyCosts costs) {
+        this.scene = scene;
+        this.actor = actor;
         this.costs = costs;
-        this.body = body;
     }
 
     /** Returns the stretches of a path; one stretch of a single point where the path has no step. */
     public List<Stretch> route(JourneyPath path) {
-        int[] all = path.configurations();
         List<Stretch> route = new ArrayList<>();
-        if (all.length == 1) {
-            route.add(standing(all, Ability.WALK));
-        }
-        int begin = 0;
-        for (int i = 1; i < all.length; i++) {
-            boolean ends = i == all.length - 1
-                    || path.abilities().get(i) != path.abilities().get(i - 1)
-                    || isCrossing(all[i - 1]) && !isCrossing(all[i])
-                    || !isCrossing(all[i]) && isCrossing(all[i + 1]);
-            if (ends) {
-                int[] part = Arrays.copyOfRange(all, begin, i + 1);
-                Ability ability = path.abilities().get(i - 1);
-                route.add(isCrossing(part[1]) ? crossing(part, ability) : standing(part, ability));
-                begin = i;
+        Scene now = scene;
+        JourneyPath.Way last = null;
+        for (JourneyPath.Part part : path.parts()) {
+            SweptBody body = new SweptBody(now, actor);
+            if (part instanceof JourneyPath.Way way) {
+                boolean alone = path.parts().size() == 1;
+                route.addAll(new WayBuilder(way, costs, body).stretches(alone));
+                last = way;
+            } else if (part instanceof JourneyPath.Push push) {
+                route.add(moved(push, Objects.requireNonNull(last).region(), body));
+                Movable movable = push.movable();
+                now = now.with(movable.obstacle()
+                        .withOutline(movable.outline(push.transfer().last())));
             }
         }
         return route;
     }
 
-    private boolean isCrossing(int q) {
-        byte kind = region.kind(q);
-        return kind == Kind.GAP || kind == Kind.JUMPABLE;
+    private Stretch moved(JourneyPath.Push push, Region region, SweptBody body) {
+        Transfer transfer = push.transfer();
+        Haul haul =
+                new Haul(push.movable(), transfer, stand(region, transfer.from()), stand(region, transfer.to()), body);
+        Obstacle obstacle = push.movable().obstacle();
+        double energy = costs.moveEnergy(obstacle.mass(), transfer.length(), transfer.turn())
+                + transfer.walked() * costs.energy(Ability.WALK);
+        return new Stretch(Ability.MOVE, obstacle.id(), energy, haul.points(), Optional.of(haul));
     }
 
-    private Stretch standing(int[] part, Ability ability) {
-        return new Stretch(
-                ability, "", metres(part) * costs.energy(ability), new Smoothing(region, body).smoothed(part, ability));
-    }
-
-    private Stretch crossing(int[] part, Ability ability) {
-        int begin = part[0];
-        int end = part[part.length - 1];
-        Line line = new Line(region.x(begin), region.y(begin), region.x(end), region.y(end));
-        double from = region.elevation(begin);
-        double to = region.elevation(end);
-        CrossingArc arc = new CrossingArc(body, region.actor());
-        double energy = metres(part) * costs.energy(ability) + costs.takeOff(ability);
-        if (ability == Ability.STRIDE) {
-            return new Stretch(ability, "", energy, arc.stride(line, from, to));
-        }
-        List<Obstacle> over = body.inTheWay(line, from);
-        return new Stretch(ability, vaulted(line, over), energy, arc.vault(line, from, to, over));
-    }
-
-    /** Returns the id of the highest obstacle under the line, or of the highest beside it, empty if there is none. */
-    private static String vaulted(Line line, List<Obstacle> over) {
-        return over.stream()
-                .filter(o -> line.crosses(o.outline()))
-                .findFirst()
-                .or(() -> over.stream().findFirst())
-                .map(Obstacle::id)
-                .orElse("");
-    }
-
-    /** Returns the metres along the grid; straight and diagonal steps are counted, so that sums do not drift. */
-    private double metres(int[] part) {
-        GridFrame frame = region.frame();
-        int diagonal = 0;
-        for (int i = 1; i < part.length; i++) {
-            int a = region.cell(part[i - 1]);
-            int b = region.cell(part[i]);
-            diagonal += frame.col(a) != frame.col(b) && frame.row(a) != frame.row(b) ? 1 : 0;
-        }
-        return (part.length - 1 - diagonal + diagonal * Math.sqrt(2)) * frame.cell();
+    private static Haul.Stand stand(Region region, int q) {
+        return new Haul.Stand(region.x(q), region.y(q), region.elevation(q));
     }
 }

@@ -1,14 +1,21 @@
 package troupe.unified.motion;
 
 import java.util.List;
+import java.util.Optional;
 
-/** Measures the line of a stretch by the metres travelled along the ground. Immutable. */
+/**
+ * Measures the line of a stretch by the metres travelled along the ground, or, while an obstacle is moved, by
+ * those of what travels farthest. Immutable.
+ */
 final class Track {
     private final List<double[]> points;
     /** Metres from the beginning to each point. */
     private final double[] metres;
 
+    private final Optional<Haul> haul;
+
     Track(Stretch stretch) {
+        this.haul = stretch.haul();
         this.points = stretch.points();
         this.metres = new double[points.size()];
         for (int i = 1; i < metres.length; i++) {
@@ -16,9 +23,9 @@ final class Track {
         }
     }
 
-    /** Returns the length in metres along the ground. */
+    /** Returns the length in metres. */
     double length() {
-        return metres[metres.length - 1];
+        return haul.map(Haul::length).orElse(metres[metres.length - 1]);
     }
 
     /** Tells whether the line has no length, and so no direction. */
@@ -28,6 +35,9 @@ final class Track {
 
     /** Returns {@code x, y, z} at {@code along} metres, {@code 0 <= along <= length()}. Cost O(log points). */
     double[] at(double along) {
+        if (haul.isPresent()) {
+            return haul.get().actor(along);
+        }
         int i = along >= length() ? metres.length - 1 : piece(along);
         double[] b = points.get(i);
         if (i == 0 || along >= metres[i]) {

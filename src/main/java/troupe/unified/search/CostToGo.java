@@ -28,6 +28,8 @@ final class CostToGo implements Expander {
     private static final Outcome NOTHING_LEFT = new Outcome.Infeasible("everything that reaches the goal is settled");
 
     private static final int ANY = JourneyWorkspace.ANY;
+    private static final int STANDING = Ability.WALK.bit() | Ability.SIDESTEP.bit();
+    private static final int NONE = -1;
 
     /** For each arrival, the directions in which a place must be left. */
     private static final int[] AHEAD = new int[ANY + 1];
@@ -66,17 +68,28 @@ final class CostToGo implements Expander {
     private long wantedFrontier;
     private long frontier;
 
-    /** Makes a search from {@code goal} towards {@code start} that has settled nothing yet. */
-    CostToGo(JourneyWorkspace work, int generation, JourneyCosts costs, int start, int goal) {
+    /** Configurations that are to be settled with all that ties with them, how many are, and their greatest key. */
+    private int[] exact = {};
+
+    private int exactCount;
+    private long exactKey;
+
+    /**
+     * Makes a search from {@code goal} towards {@code start} that has settled nothing yet.
+     *
+     * @param relaxed whether a step on a floor may be a part of a vault over something that stands there in
+     *     some search space, and so costs no more than vaulting does
+     */
+    CostToGo(JourneyWorkspace work, int generation, JourneyCosts costs, int start, int goal, boolean relaxed) {
         this.work = work;
-        this.region = work.region;
+        this.region = work.widest;
         this.costs = costs;
         this.open = work.backward();
         toGo = work.toGo;
         stamps = work.toGoStamp;
         local = work.local;
         offsets = work.offsets;
-        standing = costs.standingTable();
+        standing = costs.cheapestTable(relaxed);
         isOpen = JourneyWorkspace.STAMPS * generation;
         isSettled = isOpen + JourneyWorkspace.SETTLED;
         spans = region.spanCount();
@@ -116,8 +129,28 @@ final class CostToGo implements Expander {
         wantedFrontier = bound + fromStart(configuration);
     }
 
+    /**
+     * Asks for configurations to be settled so far that every way of least cost from them is: no open place can
+     * come before them any more. Whether it is so is told by {@link #isExact}.
+     */
+    void wantExact(int[] configurations) {
+        exact = configurations;
+        exactCount = 0;
+        exactKey = -1;
+    }
+
+    /** Tells whether what {@link #wantExact} asked for is there, or will never be. */
+    boolean isExact() {
+        while (exactCount < exact.length && stamps[exact[exactCount]] == isSettled) {
+            exactKey = Math.max(exactKey, toGo[exact[exactCount]] + fromStart(exact[exactCount]));
+            exactCount++;
+        }
+        return exactCount == exact.length && frontier > exactKey
+                || !search.outcome().isRunning();
+    }
+
     private boolean isWanting() {
-        return stamps[wanted] != isSettled && frontier < wantedFrontier;
+        return !isExact() || stamps[wanted] != isSettled && frontier < wantedFrontier;
     }
 
     /**
@@ -211,6 +244,28 @@ final class CostToGo implements Expander {
         open.add(configuration, cost + fromStart(configuration), cost);
     }
 
+    /**
+     * Returns the next place on a way of least cost to the goal: of the neighbours from which the rest costs
+     * the difference, the one of least direction, then number; -1 at the goal and where there is none. The
+     * configuration must be exact. Cost O(neighbours).
+     */
+    int next(int from) {
+        if (stamps[from] != isSettled) {
+            return NONE;
+        }
+        int count = region.neighbours(from, work.targets, work.directions);
+        for (int i = 0; i < count; i++) {
+            int to = work.targets[i];
+            if (stamps[to] == isSettled) {
+                long step = step(from, to, work.directions[i]);
+                if (step < JourneyCosts.BLOCKED && step + toGo[to] == toGo[from]) {
+                    return to;
+                }
+            }
+        }
+        return NONE;
+    }
+
     private long fromStart(int configuration) {
         int cell = region.cell(configuration);
         return fromStart(cell % cols, cell / cols);
@@ -235,7 +290,7 @@ final class CostToGo implements Expander {
             boolean takesOff = canTakeOff(from) && region.elevation(from) == region.elevation(to);
             return takesOff ? costs.crossing(kind, direction) + costs.takeOffUnits(kind) : JourneyCosts.BLOCKED;
         }
-        return costs.standing(region.abilities(from) & region.abilities(to), direction);
+        return standing[(region.abilities(from) & region.abilities(to) & STANDING) << 1 | direction >> 2];
     }
 
     private boolean canTakeOff(int span) {

@@ -5,6 +5,7 @@ import troupe.grid.region.Kind;
 import troupe.scene.Ability;
 import troupe.scene.Actor;
 import troupe.scene.Preferences;
+import troupe.unified.manipulation.Prices;
 
 /**
  * Holds what every step of an actor costs, and how far it may travel on unstable places.
@@ -235,9 +236,42 @@ public final class JourneyCosts {
         return standing[(common & STANDING) << 1 | direction >> 2];
     }
 
-    /** Returns the table of {@link #standing}: entry {@code 2 * mask + (1 if diagonal)}. Not to be changed. */
-    long[] standingTable() {
-        return standing;
+    /**
+     * Returns the table of {@link #standing}, entry {@code 2 * mask + (1 if diagonal)}; if {@code relaxed}, with
+     * no entry dearer than a vault. Not to be changed.
+     */
+    long[] cheapestTable(boolean relaxed) {
+        if (!relaxed) {
+            return standing;
+        }
+        long[] cheapest = standing.clone();
+        for (int i = 2; i < cheapest.length; i++) {
+            if (cheapest[i] < BLOCKED) {
+                cheapest[i] = Math.min(cheapest[i], crossing[2 * Kind.JUMPABLE + (i & 1)]);
+            }
+        }
+        return cheapest;
+    }
+
+    /**
+     * Returns what moving an obstacle costs in units, and the steps of an actor that holds it.
+     *
+     * @param mass kg
+     * @param turn radians between two headings
+     */
+    Prices prices(double mass, double turn) {
+        int walk = Ability.WALK.bit() << 1;
+        return new Prices(
+                moving(mass, cell, 0),
+                moving(mass, cell * ROOT, 0),
+                moving(mass, 0, turn),
+                standing[walk],
+                standing[walk + 1]);
+    }
+
+    private long moving(double mass, double metres, double radians) {
+        double cost = moveEnergy(mass, metres, radians) * preference(Ability.MOVE);
+        return (long) Math.min(Prices.BLOCKED, Math.rint(cost * unitsPerJoule));
     }
 
     /** Returns the cost in units of a step into, inside or out of a crossing, without the take-off. */

@@ -3,50 +3,72 @@ package troupe.unified.search;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.IntConsumer;
+import troupe.grid.region.Kind;
 import troupe.grid.region.Region;
+import troupe.scene.Ability;
 import troupe.scene.Ordering;
 import troupe.search.BestFirst;
 import troupe.search.Expander;
 import troupe.search.LabelPool;
 import troupe.search.OpenList;
 import troupe.search.Outcome;
+import troupe.unified.manipulation.Instance;
+import troupe.unified.manipulation.Transfer;
 
 /**
- * Searches for a way of an actor over a region with all its abilities at once (Unified figures 6 and 7).
+ * Searches for a way of an actor with all its abilities at once, over search spaces that arise when
+ * obstacles are moved (Unified figures 6 and 7).
  *
- * <p>A label is a way to a configuration: its cost, how far it has travelled on unstable places, and where
- * a crossing began. A configuration keeps all labels that do not dominate each other, so that on the grid
- * a legal way is found whenever there is one. With the ordering {@code optimal} it has least cost, with
- * {@code bounded(w)} at most {@code w} times the least; {@code paper} takes the published order and marks
- * stable configurations visited when they pass {@code LEGAL}, so it may miss ways.
+ * <p>A label is a way to a configuration of a space: its cost, how far it has travelled on unstable places,
+ * and where a crossing began. A configuration keeps all labels that do not dominate each other, so that on
+ * the grid a legal way is found whenever there is one. A label at a trigger point is besides the
+ * beginning of a manipulation: its instance gets a slice of work whenever such a label comes first, and
+ * when it has found a place for the obstacle, the label goes on in the space in which the obstacle is there. With
+ * the ordering {@code optimal} the way has least cost, with {@code bounded(w)} at most {@code w} times the least;
+ * {@code paper} takes the published order and marks stable configurations visited when they pass {@code LEGAL},
+ * so it may miss ways.
  *
  * <p>Deviations from the source are listed in {@code docs/unified.md}. Used by one thread at a time. All
  * state is here and in the workspace, which no other search may use meanwhile.
  */
 public final class JourneySearch implements Expander {
     private static final Outcome NO_WAY = new Outcome.Infeasible("no legal way leads from the start to the goal");
+    private static final int WALK = Ability.WALK.bit();
 
     private final JourneyWorkspace work;
     private final int generation;
-    private final Region region;
     private final JourneyCosts costs;
     private final JourneyQuery query;
     private final LabelPool labels;
     private final OpenList open;
     private final CostToGo toGo;
     private final Priority priority;
-    private final LegalSteps legal;
     private final LabelChains chains;
     private final BestFirst search;
+    private final SearchSpace base;
+    private final Manipulations manipulations;
+    private final int slice;
+    private final int[] found;
 
     private final boolean monotone;
 
+    /** What the label that the search waits for needs. */
+    private enum Need {
+        NOTHING,
+        COST_TO_GO,
+        TURN
+    }
+
+    private Need need = Need.NOTHING;
     private int waiting = LabelPool.NONE;
     private long waitingKey;
+    private long turnLeft;
+    private long turnMost;
     private int reached = LabelPool.NONE;
+    private long manipulated;
 
     /**
-     * Prepares a search.
+     * Prepares a search in which nothing is moved.
      *
      * @param work memory for the region; an earlier search that used it is void
      * @param costs what steps cost; made for the actor of the region
@@ -54,33 +76,54 @@ public final class JourneySearch implements Expander {
      * @throws IllegalArgumentException if start or goal is not an open span of the region
      */
     public JourneySearch(JourneyWorkspace work, JourneyCosts costs, JourneyQuery query) {
+        this(work, costs, query, Moving.NOTHING);
+    }
+
+    /**
+     * Prepares a search.
+     *
+     * @param work memory for the region and the widest region; an earlier search that used it is void
+     * @param costs what steps cost; made for the actor of the region
+     * @param query start, goal, ordering and limit
+     * @param moving what may be moved, and how
+     * @throws IllegalArgumentException if the start is not an open span of the region, or the goal is not one of
+     *     the widest region
+     */
+    public JourneySearch(JourneyWorkspace work, JourneyCosts costs, JourneyQuery query, Moving moving) {
         this.work = work;
-        this.region = work.region();
         this.costs = costs;
         this.query = query;
-        checkPlace("start", query.start());
-        checkPlace("goal", query.goal());
+        checkPlace("start", work.region, query.start());
+        checkPlace("goal", work.widest, query.goal());
         generation = work.begin(costs);
         labels = work.labels;
+        boolean published = query.ordering() instanceof Ordering.Paper;
+        Region guide = published ? moving.guide().orElse(work.region) : work.widest;
         if (query.ordering() instanceof Ordering.Paper paper) {
             toGo = null;
             priority = new Priority.Published(query.potential(), costs, paper);
             open = work.heap;
         } else {
-            toGo = new CostToGo(work, generation, costs, query.start(), query.goal());
+            boolean relaxed = moving.isPossible() && costs.has(Ability.VAULT);
+            toGo = new CostToGo(work, generation, costs, query.start(), query.goal(), relaxed);
             double weight = query.ordering() instanceof Ordering.Bounded bounded ? bounded.weight() : 1;
             priority = new Priority.Bound(toGo, weight);
             open = weight == 1 ? work.forward() : work.heap;
         }
         monotone = open == work.forward();
-        boolean marksVisited = toGo == null;
-        chains = new LabelChains(work, generation, marksVisited);
-        legal = new LegalSteps(region, costs);
+        chains = new LabelChains(work, generation, published);
+        base = new SearchSpace(work.region, guide, moving, work.chains, costs);
+        Descent descent = published ? new Descent.Steepest(guide, moving.potential()) : new Descent.Cheapest(toGo);
+        manipulations = moving.isPossible()
+                ? new Manipulations(moving, costs, new ExpectedPaths(guide, descent, costs, published), base)
+                : null;
+        slice = moving.slice();
+        found = new int[moving.movables().size()];
         search = new BestFirst(open, this, NO_WAY, query.expansions());
-        install(query.start(), LabelPool.NONE, 0, 0, LabelPool.NONE, 0);
+        install(base, query.start(), LabelPool.NONE, 0, 0, LabelPool.NONE, 0);
     }
 
-    private void checkPlace(String name, int configuration) {
+    private static void checkPlace(String name, Region region, int configuration) {
         if (configuration < 0 || configuration >= region.spanCount() || !region.open(configuration)) {
             throw new IllegalArgumentException(
                     name + "=" + configuration + "; needs a place of the region where the actor can stand");
@@ -88,8 +131,8 @@ public final class JourneySearch implements Expander {
     }
 
     /**
-     * Does at most {@code budget} expansions, those of the cost to go included. The result does not depend
-     * on how the work is sliced.
+     * Does at most {@code budget} expansions, those of the cost to go and of manipulation instances included.
+     * The result does not depend on how the work is sliced.
      *
      * @param budget at least 1
      * @throws IllegalArgumentException if the budget is below 1
@@ -102,13 +145,14 @@ public final class JourneySearch implements Expander {
         work.check(generation);
         long left = budget;
         while (left > 0 && search.outcome().isRunning()) {
-            if (waiting != LabelPool.NONE) {
+            if (need == Need.COST_TO_GO) {
                 left -= toGo.advance(left);
                 if (toGo.hasAnswered()) {
-                    int label = waiting;
-                    waiting = LabelPool.NONE;
-                    put(label, waitingKey);
+                    need = Need.NOTHING;
+                    put(waiting, waitingKey);
                 }
+            } else if (need == Need.TURN) {
+                left -= turn(left);
             } else {
                 long before = search.expanded();
                 search.step(left);
@@ -128,9 +172,14 @@ public final class JourneySearch implements Expander {
         search.cancel();
     }
 
-    /** Returns the labels expanded so far, without the expansions of the cost to go. */
+    /** Returns the labels expanded so far, without the expansions of the cost to go and of instances. */
     public long expanded() {
-        return search.expanded();
+        return search.expanded() - manipulated;
+    }
+
+    /** Returns the poses that manipulation instances have expanded so far. */
+    public long manipulated() {
+        return manipulated;
     }
 
     /** Returns the labels made so far, without those that were dominated when they were made. */
@@ -144,36 +193,47 @@ public final class JourneySearch implements Expander {
         return toGo == null ? 0 : toGo.expanded();
     }
 
-    /** Visits the configuration of every label in the order of making; one configuration may come again. */
-    public void forEachLabel(IntConsumer visitor) {
+    /** Returns the search spaces in the order in which they arose; the first is the scene as it stands. */
+    public List<SearchSpace> spaces() {
+        return manipulations == null ? List.of(base) : manipulations.spaces();
+    }
+
+    private List<MoveAttempt> attempts() {
+        return manipulations == null ? List.of() : manipulations.attempts();
+    }
+
+    /** Visits the configuration of every label of a space in the order of making; one may come again. */
+    public void forEachLabel(SearchSpace space, IntConsumer visitor) {
         work.check(generation);
         for (int label = 0; label < labels.size(); label++) {
-            visitor.accept(labels.state(label));
+            if (labels.space(label) == space.number()) {
+                visitor.accept(labels.state(label));
+            }
         }
     }
 
-    /** Returns a lower bound in J on the cost from a configuration to the goal, infinite if there is no way. */
-    public double bound(int configuration) {
+    /**
+     * Returns a lower bound in J on the cost from a configuration of a space to the goal, infinite if there is no
+     * way.
+     */
+    public double bound(SearchSpace space, int configuration) {
         work.check(generation);
-        long bound = toGo == null ? 0 : toGo.bound(configuration);
+        int place = space.guided(configuration);
+        long bound = toGo == null || place < 0 ? 0 : toGo.bound(place);
         return bound >= CostToGo.UNREACHABLE ? Double.POSITIVE_INFINITY : costs.joules(bound);
     }
 
-    /** Returns the way that was found, empty unless the outcome is {@code Found}. Cost O(its steps). */
+    /** Returns what was found, empty unless the outcome is {@code Found}. Cost O(its steps). */
     public Optional<JourneyPath> path() {
         if (reached == LabelPool.NONE) {
             return Optional.empty();
         }
         work.check(generation);
-        int count = 0;
-        for (int label = reached; label != LabelPool.NONE; label = labels.parent(label)) {
-            count++;
-        }
-        int[] configurations = new int[count];
-        for (int label = reached; label != LabelPool.NONE; label = labels.parent(label)) {
-            configurations[--count] = labels.state(label);
-        }
-        return Optional.of(JourneyPath.of(costs, List.of(JourneyPath.way(region, costs, configurations))));
+        return Optional.of(new PathTrace(labels, spaces(), attempts()).path(reached, costs));
+    }
+
+    private SearchSpace space(int label) {
+        return manipulations == null ? base : manipulations.spaces().get(labels.space(label));
     }
 
     @Override
@@ -181,64 +241,177 @@ public final class JourneySearch implements Expander {
         if (chains.isDominated(label)) {
             return Verdict.SKIPPED;
         }
+        SearchSpace space = space(label);
         int from = labels.state(label);
-        long now = priority.key(from, labels.cost(label));
+        int place = space.guided(from);
+        long now = key(label, place);
         if (now > key) {
             put(label, key);
             return Verdict.SKIPPED;
         }
-        if (!priority.isFinal(from)) {
-            waiting = label;
-            waitingKey = key;
-            long bound = toGo.bound(from);
-            toGo.want(from, open.isEmpty() ? CostToGo.UNREACHABLE : bound + 1 + costs.cheapestStraight());
-            return Verdict.WAITING;
+        if (!priority.isFinal(place)) {
+            long bound = toGo.bound(place);
+            toGo.want(place, open.isEmpty() ? CostToGo.UNREACHABLE : bound + 1 + costs.cheapestStraight());
+            return await(Need.COST_TO_GO, label, key);
+        }
+        if (labels.task(label) != LabelPool.NONE) {
+            return expandManipulation(label, key);
         }
         if (from == query.goal()) {
             reached = label;
             return Verdict.GOAL;
         }
-        if (region.plain(from)) {
-            expandPlain(label, from, key);
+        if (manipulations != null && isFirm(space.region(), from)) {
+            int[] wanted = manipulations.wanted(space, from);
+            if (wanted.length > 0 && toGo != null) {
+                toGo.wantExact(wanted);
+                if (!toGo.isExact()) {
+                    return await(Need.COST_TO_GO, label, key);
+                }
+            }
+            begin(label, space, from, key);
+        }
+        space.countExpanded();
+        if (space.region().plain(from)) {
+            expandPlain(label, space, from, key);
         } else {
-            expandLinked(label, from, key);
+            expandLinked(label, space, from, key);
         }
         return Verdict.EXPANDED;
     }
 
-    private void expandPlain(int label, int from, long key) {
-        for (int rest = region.moves(from); rest != 0; rest &= rest - 1) {
-            int direction = Integer.numberOfTrailingZeros(rest);
-            take(label, from, from + work.offsets[direction], direction, key);
-        }
+    private Verdict await(Need what, int label, long key) {
+        need = what;
+        waiting = label;
+        waitingKey = key;
+        return Verdict.WAITING;
     }
 
-    private void expandLinked(int label, int from, long key) {
-        int count = region.neighbours(from, work.targets, work.directions);
+    /** Tells whether an actor that carries no counters can begin or end to move an obstacle at a configuration. */
+    static boolean isFirm(Region region, int configuration) {
+        return configuration < region.spanCount()
+                && region.kind(configuration) == Kind.STABLE
+                && (region.abilities(configuration) & WALK) != 0;
+    }
+
+    /** Opens a label in manipulation for each attempt that begins where a label stands. */
+    private void begin(int label, SearchSpace space, int from, long key) {
+        int count = manipulations.at(space, from, found);
         for (int i = 0; i < count; i++) {
-            take(label, from, work.targets[i], work.directions[i], key);
+            if (!(manipulations.attempts().get(found[i]).outcome() instanceof Outcome.Infeasible)) {
+                int begun =
+                        labels.add(space.number(), from, label, labels.cost(label), 0, LabelPool.NONE, LabelPool.NONE);
+                labels.setTask(begun, found[i]);
+                put(begun, key);
+            }
         }
     }
 
-    private void take(int label, int from, int to, int direction, long key) {
+    private Verdict expandManipulation(int label, long key) {
+        MoveAttempt attempt = attempt(label);
+        if (attempt.outcome().isRunning()) {
+            turnLeft = slice;
+            turnMost = mostWorth(label, attempt.instance());
+            attempt.countTurn();
+            return await(Need.TURN, label, key);
+        }
+        if (attempt.outcome().isFound()) {
+            goOn(label, attempt, key);
+        }
+        return Verdict.EXPANDED;
+    }
+
+    private MoveAttempt attempt(int label) {
+        return manipulations.attempts().get(labels.task(label));
+    }
+
+    /** Works on the instance of the waiting label with at most {@code budget} expansions; returns those made. */
+    private long turn(long budget) {
+        Instance instance = attempt(waiting).instance();
+        long done = instance.advance(Math.min(budget, turnLeft), turnMost);
+        turnLeft -= done;
+        manipulated += done;
+        search.charge(done);
+        if (!instance.outcome().isRunning() || turnLeft == 0 || instance.least() > turnMost) {
+            need = Need.NOTHING;
+            put(waiting, waitingKey);
+        }
+        return done;
+    }
+
+    /** Returns the greatest least cost of an instance with which its label still comes first. */
+    private long mostWorth(int label, Instance instance) {
+        if (open.isEmpty()) {
+            return Long.MAX_VALUE;
+        }
+        long within = priority.costWithin(labels.state(label), open.firstKey());
+        long most = within == Long.MAX_VALUE ? within : (long) ((within - labels.cost(label)) / share(instance));
+        return Math.max(most, instance.least());
+    }
+
+    /** Returns the share of an instance's cost that is not already in the bound on the cost to go. */
+    private double share(Instance instance) {
+        return toGo == null ? 1 : instance.obstacleShare();
+    }
+
+    /** Goes on, with an obstacle moved, in the space where it is. */
+    private void goOn(int label, MoveAttempt attempt, long key) {
+        Instance instance = attempt.instance();
+        SearchSpace space = manipulations.after(attempt);
+        Transfer transfer = instance.transfer();
+        int at = transfer.gripped() ? transfer.to() : labels.state(label);
+        if (isFirm(space.region(), at)) {
+            install(space, at, label, labels.cost(label) + instance.cost(), 0, LabelPool.NONE, key);
+        }
+    }
+
+    private void expandPlain(int label, SearchSpace space, int from, long key) {
+        for (int rest = space.region().moves(from); rest != 0; rest &= rest - 1) {
+            int direction = Integer.numberOfTrailingZeros(rest);
+            take(label, space, from, from + work.offsets[direction], direction, key);
+        }
+    }
+
+    private void expandLinked(int label, SearchSpace space, int from, long key) {
+        int count = space.region().neighbours(from, work.targets, work.directions);
+        for (int i = 0; i < count; i++) {
+            take(label, space, from, work.targets[i], work.directions[i], key);
+        }
+    }
+
+    private void take(int label, SearchSpace space, int from, int to, int direction, long key) {
+        LegalSteps legal = space.legal();
         if (legal.check(from, labels.used(label), labels.begin(label), to, direction)) {
-            install(to, label, labels.cost(label) + legal.cost(), legal.used(), legal.begin(), key);
+            install(space, to, label, labels.cost(label) + legal.cost(), legal.used(), legal.begin(), key);
         }
     }
 
-    private void install(int configuration, int parent, long cost, double used, int begin, long parentKey) {
-        int label = chains.install(configuration, parent, cost, used, begin);
+    private void install(
+            SearchSpace space, int configuration, int parent, long cost, double used, int begin, long parentKey) {
+        int label = chains.install(space, configuration, parent, cost, used, begin);
         if (label != LabelPool.NONE) {
+            space.countGenerated();
             put(label, parentKey);
         }
     }
 
+    /** Returns the key of a label; in manipulation the least that it will cost counts as paid. */
+    private long key(int label, int place) {
+        if (labels.task(label) == LabelPool.NONE) {
+            return priority.key(place, labels.cost(label));
+        }
+        Instance instance = attempt(label).instance();
+        if (instance.outcome() instanceof Outcome.Infeasible) {
+            return Priority.NEVER;
+        }
+        return priority.key(place, labels.cost(label) + (long) (share(instance) * instance.least()));
+    }
+
     /** Opens a label; in a monotone list, where rounding must not take a key back, not before {@code least}. */
     private void put(int label, long least) {
-        long cost = labels.cost(label);
-        long key = priority.key(labels.state(label), cost);
+        long key = key(label, space(label).guided(labels.state(label)));
         if (key < Priority.NEVER) {
-            open.add(label, monotone ? Math.max(key, least) : key, cost);
+            open.add(label, monotone ? Math.max(key, least) : key, labels.cost(label));
         }
     }
 }

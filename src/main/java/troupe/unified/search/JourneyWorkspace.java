@@ -39,6 +39,10 @@ public final class JourneyWorkspace {
     private static final int LAST_GENERATION = (Integer.MAX_VALUE >> 4) - 1;
 
     final Region region;
+
+    /** The region over which the cost to go is found. */
+    final Region widest;
+
     final int[] offsets;
 
     /** The cost to go in units, valid where {@link #toGoStamp} is of this generation. */
@@ -47,10 +51,8 @@ public final class JourneyWorkspace {
     /** The generation times {@link #STAMPS}, plus {@link #SETTLED}, the direction it was reached in, or {@link #ANY}. */
     final int[] toGoStamp;
 
-    /** The first label of each configuration, valid where {@link #chainStamp} is of this generation. */
-    final int[] chain;
-
-    final int[] chainStamp;
+    /** The first label of each configuration of the region. */
+    final ChainTable chains;
 
     final LabelPool labels = new LabelPool(1024);
     final MinHeap heap = new MinHeap(1024);
@@ -65,32 +67,42 @@ public final class JourneyWorkspace {
     private int queueBits = -1;
     private int generation;
 
-    /** Takes the memory for a region. Cost O(size of the region), once. */
+    /** Takes the memory for searches in which no obstacle is moved. Cost O(size of the region), once. */
     public JourneyWorkspace(Region region) {
+        this(region, region);
+    }
+
+    /**
+     * Takes the memory for searches over a region and what it can be changed to.
+     *
+     * @param region the region of the scene as it stands
+     * @param widest the region that holds every way over any search space, for the cost to go
+     */
+    public JourneyWorkspace(Region region, Region widest) {
         this.region = region;
+        this.widest = widest;
         GridFrame frame = region.frame();
         offsets = frame.offsets();
-        toGo = new long[region.size()];
-        toGoStamp = new int[region.size()];
-        chain = new int[region.size()];
-        chainStamp = new int[region.size()];
-        local = new short[region.size()];
+        toGo = new long[widest.size()];
+        toGoStamp = new int[widest.size()];
+        chains = new ChainTable(region.size());
+        local = new short[widest.size()];
         for (int q = 0; q < local.length; q++) {
-            if (region.open(q)) {
+            if (widest.open(q)) {
                 local[q] = (short) local(q);
             }
         }
     }
 
     private int local(int q) {
-        int moves = region.moves(q);
-        int abilities = region.abilities(q);
+        int moves = widest.moves(q);
+        int abilities = widest.abilities(q);
         int bits = moves | (abilities & STANDING) << ABILITIES;
-        if (region.plain(q)) {
+        if (widest.plain(q)) {
             bits |= PLAIN;
             boolean calm = moves == 255;
             for (int d = 0; calm && d < GridFrame.DIRECTIONS; d++) {
-                calm = region.abilities(q + offsets[d]) == abilities;
+                calm = widest.abilities(q + offsets[d]) == abilities;
             }
             bits |= calm ? CALM : 0;
         }
@@ -106,7 +118,7 @@ public final class JourneyWorkspace {
     int begin(JourneyCosts costs) {
         if (generation == LAST_GENERATION) {
             Arrays.fill(toGoStamp, 0);
-            Arrays.fill(chainStamp, 0);
+            chains.clear();
             generation = 0;
         }
         generation++;

@@ -1,11 +1,10 @@
 package troupe.unified.search;
 
 import troupe.grid.region.Kind;
-import troupe.grid.region.Region;
 import troupe.search.LabelPool;
 
 /**
- * Keeps, for each configuration, the labels that do not dominate each other. One label dominates another
+ * Keeps, for each configuration of each search space, the labels that do not dominate each other. One label dominates another
  * of the same configuration if it costs no more, has used up no more of a limit, and is in the same
  * crossing, one that began at the same place, or in none. With {@code visited} marks, a stable
  * configuration keeps its first label only (Unified figure 6).
@@ -13,29 +12,22 @@ import troupe.search.LabelPool;
 final class LabelChains {
     private static final int DOMINATED = JourneyWorkspace.DOMINATED;
 
-    private final Region region;
     private final LabelPool labels;
-    private final int[] chain;
-    private final int[] stamps;
     private final int generation;
     private final boolean marksVisited;
 
     /** Makes empty chains in the memory of a workspace. */
     LabelChains(JourneyWorkspace work, int generation, boolean marksVisited) {
-        region = work.region;
         labels = work.labels;
-        chain = work.chain;
-        stamps = work.chainStamp;
         this.generation = generation;
         this.marksVisited = marksVisited;
     }
 
     /** Adds a label unless one that is there dominates it, and drops those that it dominates; returns it or NONE. */
-    int install(int configuration, int parent, long cost, double used, int begin) {
-        int first = LabelPool.NONE;
-        if (stamps[configuration] == generation) {
-            first = chain[configuration];
-            if (marksVisited && region.kind(configuration) == Kind.STABLE) {
+    int install(SearchSpace space, int configuration, int parent, long cost, double used, int begin) {
+        int first = space.chains().first(configuration, generation);
+        if (first != LabelPool.NONE) {
+            if (marksVisited && space.region().kind(configuration) == Kind.STABLE) {
                 return LabelPool.NONE;
             }
             for (int other = first; other != LabelPool.NONE; other = labels.next(other)) {
@@ -45,9 +37,8 @@ final class LabelChains {
             }
             first = withoutDominated(first, cost, used, begin);
         }
-        int label = labels.add(configuration, parent, cost, used, begin, first);
-        stamps[configuration] = generation;
-        chain[configuration] = label;
+        int label = labels.add(space.number(), configuration, parent, cost, used, begin, first);
+        space.chains().put(configuration, generation, label);
         return label;
     }
 

@@ -2,48 +2,61 @@ package troupe.unified.search;
 
 import troupe.scene.Ordering;
 
-/** Gives labels the keys that order them. The keys of one configuration grow with the cost so far. */
+/**
+ * Gives labels the keys that order them. Places are configurations of the guiding region, -1 for one that has
+ * no place there. The keys of one place grow with the cost so far.
+ */
 interface Priority {
     /** The key of a label from which the goal cannot be reached. */
     long NEVER = Long.MAX_VALUE;
 
-    /** Returns the key of a label at a configuration with a cost so far in units, from 0. */
-    long key(int configuration, long cost);
+    /** Returns the key of a label at a place with a cost so far in units, from 0. */
+    long key(int place, long cost);
 
-    /** Tells whether the key of a configuration is final; else it is a lower bound that can still rise. */
-    boolean isFinal(int configuration);
+    /** Tells whether the key of a place is final; else it is a lower bound that can still rise. */
+    boolean isFinal(int place);
+
+    /** Returns the greatest cost so far in units with which the key of a place does not exceed {@code key}. */
+    long costWithin(int place, long key);
 
     /**
      * Orders by the cost so far plus {@code weight} times the bound on the cost to go; for weights above 1
      * both are divided by the weight, which keeps the order and cannot overflow. A bound that can
      * still rise stands one unit behind, so that among equals what is known comes first and the search
-     * follows the settled way instead of asking about every place beside it.
+     * follows the settled way instead of asking about every place beside it. Without a place the bound is 0.
      */
     record Bound(CostToGo toGo, double weight) implements Priority {
         @Override
-        public long key(int configuration, long cost) {
-            long bound = toGo.bound(configuration);
-            if (bound >= CostToGo.UNREACHABLE) {
-                return NEVER;
-            }
+        public long key(int place, long cost) {
             long paid = weight == 1 ? cost : (long) (cost / weight);
-            return paid + bound + (toGo.isSettled(configuration) ? 0 : 1);
+            if (place < 0) {
+                return paid;
+            }
+            long bound = toGo.bound(place);
+            return bound >= CostToGo.UNREACHABLE ? NEVER : paid + bound + (toGo.isSettled(place) ? 0 : 1);
         }
 
         @Override
-        public boolean isFinal(int configuration) {
-            return toGo.isSettled(configuration);
+        public boolean isFinal(int place) {
+            return place < 0 || toGo.isSettled(place);
+        }
+
+        @Override
+        public long costWithin(int place, long key) {
+            long paid = key - toGo.bound(place);
+            return weight == 1 ? paid : (long) (paid * weight);
         }
     }
 
     /**
      * Orders as published: {@code a} times the potential in metres plus {@code b} times the cost in J
-     * (Unified section 7). The key is the bits of that sum, which order like the numbers from 0.
+     * (Unified section 7). The key is the bits of that sum, which order like the numbers from 0. What has no
+     * place is not tried.
      */
     record Published(JourneyQuery.Potential potential, JourneyCosts costs, Ordering.Paper weights) implements Priority {
         @Override
-        public long key(int configuration, long cost) {
-            double metres = potential.at(configuration);
+        public long key(int place, long cost) {
+            double metres = place < 0 ? Double.POSITIVE_INFINITY : potential.at(place);
             if (!(metres < Double.POSITIVE_INFINITY)) {
                 return NEVER;
             }
@@ -52,8 +65,13 @@ interface Priority {
         }
 
         @Override
-        public boolean isFinal(int configuration) {
+        public boolean isFinal(int place) {
             return true;
+        }
+
+        @Override
+        public long costWithin(int place, long key) {
+            return Long.MAX_VALUE;
         }
     }
 }

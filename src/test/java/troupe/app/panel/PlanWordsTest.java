@@ -22,6 +22,7 @@ import troupe.scene.Problem;
 import troupe.scene.Scene;
 import troupe.scene.SceneException;
 import troupe.scene.SceneXml;
+import troupe.scene.Settings;
 import troupe.scene.Severity;
 import troupe.search.Outcome;
 import troupe.work.Explainer;
@@ -30,7 +31,15 @@ import troupe.work.Tasks;
 
 class PlanWordsTest {
     private static Explanation explain(String file, String task) throws SceneException, IOException {
+        return explain(SceneXml.read(Path.of("scenes", "unified", file)).scene(), task);
+    }
+
+    private static Explanation explainWithoutMoving(String file, String task) throws SceneException, IOException {
         Scene scene = SceneXml.read(Path.of("scenes", "unified", file)).scene();
+        return explain(Settings.apply(scene, task, "preference.move", "off"), task);
+    }
+
+    private static Explanation explain(Scene scene, String task) {
         Explainer explainer =
                 new Explainer((other, id) -> Tasks.start(other, id).finish());
         return explainer.explain(Tasks.start(scene, task).finish());
@@ -47,7 +56,7 @@ class PlanWordsTest {
 
     @Test
     void saysWhatAnActorWouldDoInstead() throws SceneException, IOException {
-        Explanation apartment = explain("apartment.xml", "kitchen-to-bedroom");
+        Explanation apartment = explainWithoutMoving("apartment.xml", "kitchen-to-bedroom");
         String actor = apartment.plan().run().scene().actors().get(0).name();
         assertEquals(
                 "If sidestepping cost 5.1 times as much, " + actor + " would vault instead.",
@@ -98,6 +107,7 @@ class PlanWordsTest {
 
     @Test
     void saysNothingOfWalking() throws SceneException, IOException {
-        assertEquals("", PlanWords.flips(explain("two-ways.xml", "to-the-hall"), new Texts(Locale.ENGLISH)));
+        assertEquals(
+                "", PlanWords.flips(explainWithoutMoving("two-ways.xml", "to-the-hall"), new Texts(Locale.ENGLISH)));
     }
 }

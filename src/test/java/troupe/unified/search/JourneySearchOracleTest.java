@@ -91,7 +91,7 @@ class JourneySearchOracleTest {
                 hindered += checkBounds(problem, optimal, path, name) ? 1 : 0;
             } else {
                 assertInstanceOf(Outcome.Infeasible.class, optimal.outcome(), name);
-                hindered += optimal.bound(problem.start) < Double.POSITIVE_INFINITY ? 1 : 0;
+                hindered += optimal.bound(optimal.spaces().get(0), problem.start) < Double.POSITIVE_INFINITY ? 1 : 0;
             }
             checkBounded(problem, work, reference, least, name);
             checkPaper(problem, work, reference, least, name);
@@ -120,9 +120,11 @@ class JourneySearchOracleTest {
         for (int i = 0; i < path.configurations().length; i += 4) {
             int at = path.configurations()[i];
             double remaining = relaxed.leastCost(at, problem.goal).orElseThrow();
-            assertTrue(optimal.bound(at) <= remaining + tolerance(remaining), name + ", step " + i);
+            assertTrue(
+                    optimal.bound(optimal.spaces().get(0), at) <= remaining + tolerance(remaining),
+                    name + ", step " + i);
         }
-        return optimal.bound(problem.start) < path.cost() - 1e-6;
+        return optimal.bound(optimal.spaces().get(0), problem.start) < path.cost() - 1e-6;
     }
 
     private static void checkBounded(

@@ -1,0 +1,155 @@
+package troupe.unified;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import troupe.grid.GridFrame;
+import troupe.grid.field.Nf2;
+import troupe.grid.region.Region;
+import troupe.run.Aspect;
+import troupe.run.GridOverlays;
+import troupe.run.Overlay;
+import troupe.unified.manipulation.ConfigurationSpace;
+import troupe.unified.manipulation.ExpectedPath;
+import troupe.unified.manipulation.Movable;
+import troupe.unified.search.JourneySearch;
+import troupe.unified.search.MoveAttempt;
+import troupe.unified.search.SearchSpace;
+
+/**
+ * Shows what a journey's search works on, for one search space at a time: its region, where the search has
+ * been, the trigger points, and of one manipulation instance the expected path and, heading by heading, the
+ * poses that bar it.
+ */
+final class JourneyViews {
+    /** The keys of the potential's views, which belong to the region without what may be moved. */
+    private static final List<String> GUIDES = List.of("skeleton", "potential");
+
+    private final Preparation prepared;
+    private final Optional<JourneySearch> search;
+
+    JourneyViews(Preparation prepared, Optional<JourneySearch> search) {
+        this.prepared = prepared;
+        this.search = search;
+    }
+
+    /** Returns the choices: a search space, an instance in it, a heading of its obstacle; none where nothing may be moved. */
+    List<Aspect> aspects(List<Integer> chosen) {
+        if (search.isEmpty() || prepared.movables().isEmpty()) {
+            return List.of();
+        }
+        List<Aspect> aspects = new ArrayList<>();
+        aspects.add(new Aspect(
+                "space",
+                search.get().spaces().stream().map(JourneyViews::choice).toList()));
+        SearchSpace space = space(chosen);
+        if (!space.attempts().isEmpty()) {
+            List<Aspect.Choice> instances = new ArrayList<>();
+            for (MoveAttempt attempt : space.attempts()) {
+                instances.add(Aspect.Choice.of(
+                        "instance",
+                        (instances.size() + 1) + ": "
+                                + attempt.obstacle().obstacle().name()));
+            }
+            Aspect instance = new Aspect("instance", instances);
+            aspects.add(instance);
+            Movable movable = space.attempts().get(instance.chosen(chosen, 1)).obstacle();
+            List<Aspect.Choice> headings = new ArrayList<>();
+            for (int k = 0; k < movable.headings(); k++) {
+                headings.add(Aspect.Choice.of("degrees", degrees(360.0 * k / movable.headings())));
+            }
+            aspects.add(new Aspect("heading", headings));
+        }
+        return aspects;
+    }
+
+    private static String degrees(double degrees) {
+        return degrees == Math.rint(degrees)
+                ? Integer.toString((int) degrees)
+                : String.format(Locale.ROOT, "%.1f", degrees);
+    }
+
+    private static Aspect.Choice choice(SearchSpace space) {
+        List<Movable> moved = space.moved();
+        return moved.isEmpty()
+                ? Aspect.Choice.of("scene")
+                : new Aspect.Choice(
+                        "moved", moved.stream().map(m -> m.obstacle().name()).collect(Collectors.toList()));
+    }
+
+    private SearchSpace space(List<Integer> chosen) {
+        List<SearchSpace> spaces = search.orElseThrow().spaces();
+        int number = chosen.isEmpty() ? 0 : chosen.get(0);
+        return spaces.get(number >= 0 && number < spaces.size() ? number : 0);
+    }
+
+    /** Returns the views of a choice of {@link #aspects}. */
+    List<Overlay> overlays(List<Integer> chosen) {
+        Region region = search.isPresent() ? space(chosen).region() : prepared.region();
+        GridOverlays grid = new GridOverlays(region, prepared.layers());
+        GridOverlays guide = region == prepared.open() ? grid : new GridOverlays(prepared.open(), prepared.layers());
+        Nf2 potential = prepared.goal().configuration() < 0 ? null : prepared.potential();
+        List<Overlay> views = new ArrayList<>();
+        for (String key : GridOverlays.KEYS) {
+            views.addAll((GUIDES.contains(key) ? guide : grid).of(key, potential));
+        }
+        if (search.isPresent()) {
+            SearchSpace space = space(chosen);
+            views.addAll(SearchEffort.of(prepared.layers(), search.get(), space));
+            views.addAll(triggers(space, grid));
+            List<Aspect> aspects = aspects(chosen);
+            if (!space.attempts().isEmpty()) {
+                MoveAttempt attempt = space.attempts().get(aspects.get(1).chosen(chosen, 1));
+                int storey = grid.storey(prepared.layers().layer(attempt.trigger()));
+                views.add(path(attempt.path(), storey));
+                views.add(barred(attempt.barred(), aspects.get(2).chosen(chosen, 2), region.frame(), storey));
+            }
+        }
+        return List.copyOf(views);
+    }
+
+    private List<Overlay> triggers(SearchSpace space, GridOverlays grid) {
+        List<List<Double>> storeys = new ArrayList<>();
+        for (int m = 0; m < prepared.movables().size(); m++) {
+            for (int q : space.triggerPoints(m)) {
+                int storey = grid.storey(prepared.layers().layer(q));
+                while (storeys.size() <= storey) {
+                    storeys.add(new ArrayList<>());
+                }
+                storeys.get(storey).add(space.region().x(q));
+                storeys.get(storey).add(space.region().y(q));
+            }
+        }
+        List<Overlay> views = new ArrayList<>();
+        for (int k = 0; k < storeys.size(); k++) {
+            if (!storeys.get(k).isEmpty()) {
+                double[] points =
+                        storeys.get(k).stream().mapToDouble(Double::doubleValue).toArray();
+                views.add(new Overlay.Points("triggers", k, points));
+            }
+        }
+        return views;
+    }
+
+    private static Overlay path(ExpectedPath path, int storey) {
+        double[] line = new double[2 * path.size()];
+        for (int n = 0; n < path.size(); n++) {
+            line[2 * n] = path.frame().centreX(path.frame().col(path.cell(n)));
+            line[2 * n + 1] = path.frame().centreY(path.frame().row(path.cell(n)));
+        }
+        return new Overlay.Lines("expected-path", storey, List.of(line));
+    }
+
+    private static Overlay barred(ConfigurationSpace barred, int heading, GridFrame frame, int storey) {
+        float[] values = new float[frame.size()];
+        Arrays.fill(values, Float.NaN);
+        for (int cell : barred.poses(heading)) {
+            values[cell] = 0;
+        }
+        return new Overlay.Field(
+                "instance", storey, frame, values, new Overlay.Categories(List.of("bars the expected path")));
+    }
+}

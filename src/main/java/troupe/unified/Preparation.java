@@ -1,0 +1,138 @@
+package troupe.unified;
+
+import java.util.List;
+import java.util.Optional;
+import troupe.grid.field.Nf2;
+import troupe.grid.layer.Layers;
+import troupe.grid.region.Region;
+import troupe.grid.region.RegionBuilder;
+import troupe.scene.Actor;
+import troupe.scene.Journey;
+import troupe.scene.Ordering;
+import troupe.scene.Scene;
+import troupe.unified.manipulation.Movable;
+import troupe.unified.search.JourneyCosts;
+import troupe.unified.search.JourneyQuery;
+import troupe.unified.search.JourneySearch;
+import troupe.unified.search.JourneyWorkspace;
+import troupe.unified.search.Moving;
+
+/**
+ * Makes ready what a search for a journey needs, stage by stage: layers, regions, the potential where the
+ * ordering asks for it. Used by one thread at a time.
+ */
+final class Preparation {
+    private final Scene scene;
+    private final Journey journey;
+    private final Actor actor;
+    private final StageTimes times;
+    private final List<Movable> movables;
+
+    private Layers layers;
+    private Region region;
+    private Region widest;
+    private Region open;
+    private Standpoint start;
+    private Standpoint goal;
+    private Nf2 potential;
+
+    /**
+     * Does nothing yet.
+     *
+     * @param actor the actor of the journey, already without the abilities that preferences switch off
+     */
+    Preparation(Scene scene, Journey journey, Actor actor, StageTimes times) {
+        this.scene = scene;
+        this.journey = journey;
+        this.actor = actor;
+        this.times = times;
+        this.movables = actor.move().isPresent() ? Movable.of(scene, journey.headings()) : List.of();
+    }
+
+    /**
+     * Builds the layers and regions and looks up start and goal.
+     *
+     * @throws troupe.grid.GridLimitException if the scene is too much for the grid
+     */
+    void build() {
+        RegionBuilder builder = new RegionBuilder(scene, actor);
+        times.measure(StageTimes.LAYERS, () -> layers = builder.layers());
+        times.measure(StageTimes.REGION, () -> {
+            region = builder.region();
+            widest = movables.isEmpty() ? region : builder.widest();
+            open = region;
+            for (Movable movable : movables) {
+                open = open.without(movable.number());
+            }
+        });
+        start = Standpoint.at(region, scene, journey.start(), "start");
+        goal = Standpoint.at(open, scene, journey.goal(), "goal");
+    }
+
+    /** Tells whether {@link #build} has been called. */
+    boolean isBuilt() {
+        return goal != null;
+    }
+
+    /** Tells whether one can stand at start and goal, at the goal maybe only after something has been moved. */
+    boolean isPossible() {
+        return start.configuration() >= 0 && goal.configuration() >= 0;
+    }
+
+    /** Returns the obstacles that the actor may move. */
+    List<Movable> movables() {
+        return movables;
+    }
+
+    Layers layers() {
+        return layers;
+    }
+
+    /** Returns the region of the scene as it stands. */
+    Region region() {
+        return region;
+    }
+
+    /** Returns the region without the obstacles that the actor may move. */
+    Region open() {
+        return open;
+    }
+
+    Standpoint start() {
+        return start;
+    }
+
+    Standpoint goal() {
+        return goal;
+    }
+
+    /** Returns the NF2 field of the goal over the open region, made when it is first asked for. */
+    Nf2 potential() {
+        if (potential == null) {
+            times.measure(StageTimes.NF2, () -> potential = field(journey.spread()));
+        }
+        return potential;
+    }
+
+    private Nf2 field(Journey.Spread spread) {
+        return new Nf2(open).compute(goal.configuration(), spread);
+    }
+
+    /** Makes the search; {@link #isPossible} must hold. */
+    JourneySearch search(JourneyCosts costs, long expansions) {
+        boolean published = journey.ordering() instanceof Ordering.Paper;
+        JourneyQuery.Potential guide = published ? potential()::potential : JourneyQuery.Potential.NONE;
+        JourneyQuery query =
+                new JourneyQuery(start.configuration(), goal.configuration(), journey.ordering(), guide, expansions);
+        if (movables.isEmpty()) {
+            return new JourneySearch(new JourneyWorkspace(region), costs, query);
+        }
+        JourneyQuery.Potential breadth = guide;
+        if (published && journey.spread() != Journey.Spread.BREADTH) {
+            breadth = field(Journey.Spread.BREADTH)::potential;
+        }
+        Moving moving = new Moving(
+                Optional.of(scene), movables, journey.manipulation(), journey.slice(), Optional.of(open), breadth);
+        return new JourneySearch(new JourneyWorkspace(region, widest), costs, query, moving);
+    }
+}

@@ -1,0 +1,236 @@
+package troupe.unified.search;
+
+import java.util.ArrayList;
+import java.util.BitSet;
+import java.util.Collections;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import troupe.geometry.Box;
+import troupe.grid.GridFrame;
+import troupe.grid.Window;
+import troupe.grid.region.Reach;
+import troupe.grid.region.Region;
+import troupe.grid.region.Triggers;
+import troupe.scene.Actor;
+import troupe.unified.manipulation.ConfigurationSpace;
+import troupe.unified.manipulation.ExpectedPath;
+import troupe.unified.manipulation.Grip;
+import troupe.unified.manipulation.Instance;
+import troupe.unified.manipulation.LatticePose;
+import troupe.unified.manipulation.Movable;
+import troupe.unified.manipulation.Question;
+
+/**
+ * Keeps the search spaces of a search and the manipulation instances in them. Trigger points are found when
+ * a label first comes near an obstacle; which of them begin an instance follows from the fields alone, never
+ * from the order in which the search meets them:
+ *
+ * <ul>
+ *   <li>{@code free}: one instance for all trigger points of an obstacle whose expected paths enter it at the
+ *       same cell, with the path of the member of least field, then number;
+ *   <li>{@code grip}: one instance for each trigger point of a hold.
+ * </ul>
+ *
+ * <p>Equal poses of the moved obstacles make one space. The maps are only looked up, never iterated.
+ */
+final class Manipulations {
+    private static final int[] NOTHING = {};
+
+    private final Moving moving;
+    private final JourneyCosts costs;
+    private final ExpectedPaths paths;
+    private final Window[] near;
+    private final List<SearchSpace> spaces = new ArrayList<>();
+    private final Map<List<LatticePose>, SearchSpace> known = new HashMap<>();
+    private final List<MoveAttempt> attempts = new ArrayList<>();
+    private final Map<Long, Expected> expected = new HashMap<>();
+
+    /** An expected path, the spans on it, and the poses that bar it. */
+    private record Expected(ExpectedPath path, BitSet places, ConfigurationSpace barred) {}
+
+    Manipulations(Moving moving, JourneyCosts costs, ExpectedPaths paths, SearchSpace base) {
+        this.moving = moving;
+        this.costs = costs;
+        this.paths = paths;
+        spaces.add(base);
+        known.put(base.key(), base);
+        Actor actor = base.region().actor();
+        GridFrame frame = base.region().frame();
+        double reach = Math.max(
+                actor.stride().map(Actor.Stride::gait).orElse(0.0),
+                actor.vault().map(Actor.Vault::reach).orElse(0.0));
+        double radius = Math.max(
+                actor.walk().radius(),
+                actor.sidestep().map(Actor.Sidestep::radius).orElse(0.0));
+        near = new Window[moving.movables().size()];
+        for (int m = 0; m < near.length; m++) {
+            Box box = moving.movables().get(m).obstacle().outline().bounds();
+            near[m] = Window.of(frame, box.grown(radius + reach + 3 * frame.cell()));
+        }
+    }
+
+    /** Returns the spaces in the order in which they arose. */
+    List<SearchSpace> spaces() {
+        return Collections.unmodifiableList(spaces);
+    }
+
+    /** Returns the attempts in the order in which they were made. */
+    List<MoveAttempt> attempts() {
+        return Collections.unmodifiableList(attempts);
+    }
+
+    /** Returns the space in which an attempt that has been found has put its obstacle. */
+    SearchSpace after(MoveAttempt attempt) {
+        SearchSpace from = attempt.space();
+        LatticePose pose = attempt.instance().transfer().last();
+        List<LatticePose> key = from.key();
+        key.set(attempt.movable(), pose);
+        SearchSpace space = known.get(key);
+        if (space == null) {
+            space = from.after(spaces.size(), attempt.movable(), pose, costs);
+            spaces.add(space);
+            known.put(key, space);
+        }
+        return space;
+    }
+
+    /**
+     * Returns the trigger points whose field must be exact before {@link #at} can answer for a configuration;
+     * none if it can. Each has a place in the guiding region, because it is a span.
+     */
+    int[] wanted(SearchSpace space, int configuration) {
+        for (int m = 0; m < near.length; m++) {
+            int point = point(space, m, configuration);
+            if (point >= 0) {
+                TriggerTable table = space.triggers(m);
+                if (table.leader(point) == TriggerTable.UNKNOWN) {
+                    return table.points();
+                }
+                if (table.leader(point) >= 0 && table.attempt(table.leader(point)) == TriggerTable.UNKNOWN) {
+                    return new int[] {table.points()[table.leader(point)]};
+                }
+            }
+        }
+        return NOTHING;
+    }
+
+    /** Fills {@code found} with the numbers of the attempts that begin at a configuration; returns how many there are. */
+    int at(SearchSpace space, int configuration, int[] found) {
+        int count = 0;
+        for (int m = 0; m < near.length; m++) {
+            int point = point(space, m, configuration);
+            if (point < 0) {
+                continue;
+            }
+            TriggerTable table = space.triggers(m);
+            if (table.leader(point) == TriggerTable.UNKNOWN) {
+                group(m, table);
+            }
+            int leader = table.leader(point);
+            if (leader >= 0 && table.attempt(leader) == TriggerTable.UNKNOWN) {
+                table.setAttempt(leader, establish(space, m, table.points()[leader]));
+            }
+            if (leader >= 0 && table.attempt(leader) >= 0) {
+                found[count++] = table.attempt(leader);
+            }
+        }
+        return count;
+    }
+
+    /** Returns the place of a configuration among the trigger points of a movable, negative if it is none. */
+    private int point(SearchSpace space, int m, int configuration) {
+        GridFrame frame = space.region().frame();
+        int cell = space.region().cell(configuration);
+        if (!near[m].holds(frame.col(cell), frame.row(cell)) || space.pose(m).isPresent()) {
+            return -1;
+        }
+        if (space.triggers(m) == null) {
+            space.setTriggers(m, table(space, m));
+        }
+        return space.triggers(m).find(configuration);
+    }
+
+    private TriggerTable table(SearchSpace space, int m) {
+        Movable movable = moving.movables().get(m);
+        if (!space.surroundings().canMove(movable)) {
+            return new TriggerTable(NOTHING);
+        }
+        TriggerTable table = new TriggerTable(Triggers.of(space.region(), space.optimistic(), movable.number())
+                .points());
+        if (moving.grips()) {
+            table.leadByHolds(movable, space.region().frame());
+        }
+        return table;
+    }
+
+    /** Gives the trigger points whose paths enter the obstacle at the same cell their leader. */
+    private void group(int m, TriggerTable table) {
+        int[] points = table.points();
+        Movable movable = moving.movables().get(m);
+        Map<Integer, Integer> leaders = new HashMap<>();
+        int[] entries = new int[points.length];
+        for (int i = 0; i < points.length; i++) {
+            int entry = paths.leads(points[i]) ? paths.entry(points[i], movable) : Descent.NONE;
+            entries[i] = entry < 0 ? Descent.NONE : paths.cell(entry);
+            Integer leader = leaders.get(entries[i]);
+            if (leader == null || paths.rank(points[i]) < paths.rank(points[leader])) {
+                leaders.put(entries[i], i);
+            }
+        }
+        for (int i = 0; i < points.length; i++) {
+            table.setLeader(i, entries[i] < 0 ? TriggerTable.NONE : leaders.get(entries[i]));
+        }
+    }
+
+    /** Begins an attempt from a trigger point; returns its number, or none if its path misses the obstacle. */
+    private int establish(SearchSpace space, int m, int trigger) {
+        Optional<Expected> way = paths.leads(trigger) ? expected(space, m, trigger) : Optional.empty();
+        if (way.isEmpty()) {
+            return TriggerTable.NONE;
+        }
+        Movable movable = moving.movables().get(m);
+        Optional<Grip> grip = moving.grips()
+                ? Optional.of(grip(space, movable, trigger, way.get().places()))
+                : Optional.empty();
+        Instance instance = new Instance(new Question(
+                movable,
+                space.surroundings(),
+                way.get().barred(),
+                costs.prices(movable.obstacle().mass(), movable.turn()),
+                grip,
+                trigger));
+        MoveAttempt attempt = new MoveAttempt(
+                space, m, movable, trigger, way.get().path(), way.get().barred(), instance);
+        attempts.add(attempt);
+        space.add(attempt);
+        return attempts.size() - 1;
+    }
+
+    private static Grip grip(SearchSpace space, Movable movable, int trigger, BitSet places) {
+        Region region = space.region();
+        int number = movable.number();
+        return new Grip(movable, space.surroundings(), region.without(number), trigger, (pose, stand) -> {
+            Region after = region.with(number, movable.outline(pose));
+            return JourneySearch.isFirm(after, stand) && Reach.leads(after, stand, places);
+        });
+    }
+
+    private Optional<Expected> expected(SearchSpace space, int m, int trigger) {
+        long key = (long) m << 32 | trigger;
+        Expected known = expected.get(key);
+        if (known == null) {
+            Movable movable = moving.movables().get(m);
+            Optional<ExpectedPath> path = paths.from(space, trigger, movable);
+            if (path.isEmpty()) {
+                return Optional.empty();
+            }
+            known = new Expected(path.get(), paths.places(), new ConfigurationSpace(movable, path.get()));
+            if (!paths.dependOnSpace()) {
+                expected.put(key, known);
+            }
+        }
+        return Optional.of(known);
+    }
+}

@@ -1,0 +1,89 @@
+package troupe.unified.search;
+
+import troupe.search.Outcome;
+import troupe.unified.manipulation.ConfigurationSpace;
+import troupe.unified.manipulation.ExpectedPath;
+import troupe.unified.manipulation.Instance;
+import troupe.unified.manipulation.Movable;
+
+/** Holds one manipulation instance of a search: what it moves in which space, from where, and how it stands. */
+public final class MoveAttempt {
+    private final SearchSpace space;
+    private final int movable;
+    private final Movable obstacle;
+    private final int trigger;
+    private final ExpectedPath path;
+    private final ConfigurationSpace barred;
+    private final Instance instance;
+    private long turns;
+
+    MoveAttempt(
+            SearchSpace space,
+            int movable,
+            Movable obstacle,
+            int trigger,
+            ExpectedPath path,
+            ConfigurationSpace barred,
+            Instance instance) {
+        this.space = space;
+        this.movable = movable;
+        this.obstacle = obstacle;
+        this.trigger = trigger;
+        this.path = path;
+        this.barred = barred;
+        this.instance = instance;
+    }
+
+    /** Returns the search space in which the obstacle is to be moved. */
+    SearchSpace space() {
+        return space;
+    }
+
+    /** Returns the place of the obstacle in the list of movables. */
+    int movable() {
+        return movable;
+    }
+
+    /** Returns the obstacle. */
+    public Movable obstacle() {
+        return obstacle;
+    }
+
+    /** Returns the trigger point from which the expected path leads, a configuration of the space. */
+    public int trigger() {
+        return trigger;
+    }
+
+    /** Returns the expected path. */
+    public ExpectedPath path() {
+        return path;
+    }
+
+    /** Returns the configuration space of the obstacle: the poses in which it bars the expected path. */
+    public ConfigurationSpace barred() {
+        return barred;
+    }
+
+    Instance instance() {
+        return instance;
+    }
+
+    /** Returns how the instance stands. */
+    public Outcome outcome() {
+        return instance.outcome();
+    }
+
+    /** Returns the poses that the instance has expanded. */
+    public long expanded() {
+        return instance.expanded();
+    }
+
+    void countTurn() {
+        turns++;
+    }
+
+    /** Returns how many turns of the search it has got. */
+    public long turns() {
+        return turns;
+    }
+}

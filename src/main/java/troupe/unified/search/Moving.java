@@ -1,0 +1,58 @@
+package troupe.unified.search;
+
+import java.util.List;
+import java.util.Optional;
+import troupe.grid.region.Region;
+import troupe.scene.Journey;
+import troupe.scene.Scene;
+import troupe.unified.manipulation.Movable;
+
+/**
+ * Says what a search may move, and how.
+ *
+ * @param scene the scene as it stands
+ * @param movables the obstacles that may be moved, ascending by number; none if nothing may
+ * @param manipulation whether the actor's body takes part
+ * @param slice the most expansions that one turn of the search buys an instance, at least 1
+ * @param guide the region of the {@code paper} ordering's potentials, without any movable obstacle; empty if
+ *     it is that of the search. The other orderings do not ask it
+ * @param potential the potential over {@code guide} that expected paths descend in the {@code paper} ordering
+ */
+public record Moving(
+        Optional<Scene> scene,
+        List<Movable> movables,
+        Journey.Manipulation manipulation,
+        int slice,
+        Optional<Region> guide,
+        JourneyQuery.Potential potential) {
+
+    /** Nothing may be moved. */
+    public static final Moving NOTHING = new Moving(
+            Optional.empty(),
+            List.of(),
+            Journey.Manipulation.FREE,
+            Journey.DEFAULT_SLICE,
+            Optional.empty(),
+            JourneyQuery.Potential.NONE);
+
+    /** Copies the list and checks the slice, and that there is a scene if something may be moved. */
+    public Moving {
+        movables = List.copyOf(movables);
+        if (slice < 1) {
+            throw new IllegalArgumentException("slice=" + slice + "; needs at least 1");
+        }
+        if (scene.isEmpty() && !movables.isEmpty()) {
+            throw new IllegalArgumentException(movables.size() + " movable obstacles without a scene");
+        }
+    }
+
+    /** Tells whether anything may be moved. */
+    boolean isPossible() {
+        return !movables.isEmpty();
+    }
+
+    /** Tells whether the actor holds what it moves. */
+    boolean grips() {
+        return manipulation == Journey.Manipulation.GRIP;
+    }
+}

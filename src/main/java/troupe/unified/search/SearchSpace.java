@@ -1,0 +1,208 @@
+package troupe.unified.search;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Optional;
+import troupe.geometry.Polygon;
+import troupe.grid.region.Region;
+import troupe.unified.manipulation.LatticePose;
+import troupe.unified.manipulation.Movable;
+import troupe.unified.manipulation.Surroundings;
+
+/**
+ * Holds the state of the scene after some obstacles have been moved, and what a search knows of it. What it
+ * tells is immutable; the counts grow while the search works.
+ */
+public final class SearchSpace {
+    private final int number;
+    private final Region region;
+    private final Region guide;
+    private final List<Movable> movables;
+    private final LatticePose[] poses;
+    private final Optional<Surroundings> surroundings;
+    private final ChainTable chains;
+    private final LegalSteps legal;
+    private final List<MoveAttempt> attempts = new ArrayList<>();
+    private final TriggerTable[] triggers;
+    private Region optimistic;
+    private long expanded;
+    private long generated;
+
+    /** The base space: every obstacle stands where the scene shows it. */
+    SearchSpace(Region region, Region guide, Moving moving, ChainTable chains, JourneyCosts costs) {
+        this(
+                0,
+                region,
+                guide,
+                moving.movables(),
+                new LatticePose[moving.movables().size()],
+                moving.scene().map(Surroundings::new),
+                chains,
+                costs);
+    }
+
+    private SearchSpace(
+            int number,
+            Region region,
+            Region guide,
+            List<Movable> movables,
+            LatticePose[] poses,
+            Optional<Surroundings> surroundings,
+            ChainTable chains,
+            JourneyCosts costs) {
+        this.number = number;
+        this.region = region;
+        this.guide = guide;
+        this.movables = movables;
+        this.poses = poses;
+        this.surroundings = surroundings;
+        this.chains = chains;
+        this.legal = new LegalSteps(region, costs);
+        this.triggers = new TriggerTable[movables.size()];
+    }
+
+    /** Returns the space in which one more obstacle has been moved. */
+    SearchSpace after(int newNumber, int movable, LatticePose pose, JourneyCosts costs) {
+        LatticePose[] changed = poses.clone();
+        changed[movable] = pose;
+        Movable moved = movables.get(movable);
+        Polygon outline = moved.outline(pose);
+        Region patched = region.with(moved.number(), outline);
+        return new SearchSpace(
+                newNumber,
+                patched,
+                guide,
+                movables,
+                changed,
+                surroundings.map(s -> s.with(moved.number(), outline)),
+                new ChainTable(patched.size()),
+                costs);
+    }
+
+    /** Returns its number among the spaces of a search, in the order in which they arose; 0 is the base. */
+    public int number() {
+        return number;
+    }
+
+    /** Returns its region. */
+    public Region region() {
+        return region;
+    }
+
+    /** Returns the pose to which a movable obstacle has been moved, by its place in the list of movables; empty if it has not. */
+    public Optional<LatticePose> pose(int movable) {
+        return Optional.ofNullable(poses[movable]);
+    }
+
+    /** Returns the movables that have been moved, ascending by number. */
+    public List<Movable> moved() {
+        List<Movable> moved = new ArrayList<>();
+        for (int m = 0; m < poses.length; m++) {
+            if (poses[m] != null) {
+                moved.add(movables.get(m));
+            }
+        }
+        return moved;
+    }
+
+    /** Returns what stands where in this space; there is something only where something may be moved. */
+    Surroundings surroundings() {
+        return surroundings.orElseThrow();
+    }
+
+    /** Returns the poses by which spaces are told apart, one for each movable, null for those not moved. */
+    List<LatticePose> key() {
+        List<LatticePose> key = new ArrayList<>();
+        Collections.addAll(key, poses);
+        return key;
+    }
+
+    /** Returns the region without the movables that have not been moved yet; built when first asked for. */
+    Region optimistic() {
+        if (optimistic == null) {
+            Region open = region;
+            for (int m = 0; m < poses.length; m++) {
+                if (poses[m] == null) {
+                    open = open.without(movables.get(m).number());
+                }
+            }
+            optimistic = open;
+        }
+        return optimistic;
+    }
+
+    /**
+     * Returns the configuration of the guiding region that stands for one of this space: the same span, the
+     * crossing over the same cell, or, where an obstacle is crossed that the guiding region is free of, the
+     * span there; -1 if there is none.
+     */
+    int guided(int configuration) {
+        if (configuration < region.spanCount() || region == guide) {
+            return configuration;
+        }
+        int cell = region.cell(configuration);
+        int crossing = guide.crossing(cell, region.level(configuration), region.kind(configuration));
+        if (crossing >= 0) {
+            return crossing;
+        }
+        double floor = region.elevation(configuration);
+        for (int q = cell; q < guide.spanCount(); q += guide.frame().size()) {
+            if (guide.open(q)
+                    && Math.abs(guide.elevation(q) - floor) <= guide.actor().stepHeight() + 1e-9) {
+                return q;
+            }
+        }
+        return -1;
+    }
+
+    ChainTable chains() {
+        return chains;
+    }
+
+    LegalSteps legal() {
+        return legal;
+    }
+
+    TriggerTable triggers(int movable) {
+        return triggers[movable];
+    }
+
+    void setTriggers(int movable, TriggerTable table) {
+        triggers[movable] = table;
+    }
+
+    void add(MoveAttempt attempt) {
+        attempts.add(attempt);
+    }
+
+    /** Returns the manipulation instances that have been established in this space, in that order. */
+    public List<MoveAttempt> attempts() {
+        return Collections.unmodifiableList(attempts);
+    }
+
+    /** Returns the trigger points that are known of a movable, by its place in the list of movables; none before it was met. */
+    public int[] triggerPoints(int movable) {
+        return triggers[movable] == null
+                ? new int[0]
+                : triggers[movable].points().clone();
+    }
+
+    void countExpanded() {
+        expanded++;
+    }
+
+    void countGenerated() {
+        generated++;
+    }
+
+    /** Returns how many of its labels have been expanded. */
+    public long expanded() {
+        return expanded;
+    }
+
+    /** Returns how many labels it got, without those that were dominated when they were made. */
+    public long generated() {
+        return generated;
+    }
+}
