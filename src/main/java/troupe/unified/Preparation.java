@@ -60,13 +60,9 @@ final class Preparation {
         times.measure(StageTimes.REGION, () -> {
             region = builder.region();
             widest = movables.isEmpty() ? region : builder.widest();
-            open = region;
-            for (Movable movable : movables) {
-                open = open.without(movable.number());
-            }
         });
         start = Standpoint.at(region, scene, journey.start(), "start");
-        goal = Standpoint.at(open, scene, journey.goal(), "goal");
+        goal = Standpoint.at(widest, scene, journey.goal(), "goal");
     }
 
     /** Tells whether {@link #build} has been called. */
@@ -93,8 +89,14 @@ final class Preparation {
         return region;
     }
 
-    /** Returns the region without the obstacles that the actor may move. */
+    /** Returns the region without the obstacles that the actor may move, built when it is first asked for. */
     Region open() {
+        if (open == null) {
+            open = region;
+            for (Movable movable : movables) {
+                open = open.without(movable.number());
+            }
+        }
         return open;
     }
 
@@ -115,7 +117,7 @@ final class Preparation {
     }
 
     private Nf2 field(Journey.Spread spread) {
-        return new Nf2(open).compute(goal.configuration(), spread);
+        return new Nf2(open()).compute(goal.configuration(), spread);
     }
 
     /** Makes the search; {@link #isPossible} must hold. */
@@ -132,7 +134,12 @@ final class Preparation {
             breadth = field(Journey.Spread.BREADTH)::potential;
         }
         Moving moving = new Moving(
-                Optional.of(scene), movables, journey.manipulation(), journey.slice(), Optional.of(open), breadth);
+                Optional.of(scene),
+                movables,
+                journey.manipulation(),
+                journey.slice(),
+                published ? Optional.of(open()) : Optional.empty(),
+                breadth);
         return new JourneySearch(new JourneyWorkspace(region, widest), costs, query, moving);
     }
 }

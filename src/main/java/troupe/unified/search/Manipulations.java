@@ -41,6 +41,7 @@ final class Manipulations {
     private final Moving moving;
     private final JourneyCosts costs;
     private final ExpectedPaths paths;
+    private final double margin;
     private final Window[] near;
     private final List<SearchSpace> spaces = new ArrayList<>();
     private final Map<List<LatticePose>, SearchSpace> known = new HashMap<>();
@@ -64,10 +65,11 @@ final class Manipulations {
         double radius = Math.max(
                 actor.walk().radius(),
                 actor.sidestep().map(Actor.Sidestep::radius).orElse(0.0));
+        margin = radius + reach + 3 * frame.cell();
         near = new Window[moving.movables().size()];
         for (int m = 0; m < near.length; m++) {
             Box box = moving.movables().get(m).obstacle().outline().bounds();
-            near[m] = Window.of(frame, box.grown(radius + reach + 3 * frame.cell()));
+            near[m] = Window.of(frame, box.grown(margin));
         }
     }
 
@@ -153,6 +155,10 @@ final class Manipulations {
     }
 
     private TriggerTable table(SearchSpace space, int m) {
+        TriggerTable before = space.before().map(from -> from.triggers(m)).orElse(null);
+        if (before != null && isFar(space, m)) {
+            return before.again(moving.grips() || !paths.dependOnSpace());
+        }
         Movable movable = moving.movables().get(m);
         if (!space.surroundings().canMove(movable)) {
             return new TriggerTable(NOTHING);
@@ -163,6 +169,22 @@ final class Manipulations {
             table.leadByHolds(movable, space.region().frame());
         }
         return table;
+    }
+
+    /** Tells whether what was moved last, to make a space, was far from an obstacle before and is now. */
+    private boolean isFar(SearchSpace space, int m) {
+        SearchSpace from = space.before().orElseThrow();
+        for (int other = 0; other < near.length; other++) {
+            if (from.pose(other).isEmpty() && space.pose(other).isPresent()) {
+                Movable moved = moving.movables().get(other);
+                Box now = moved.outline(space.pose(other).get()).bounds();
+                Window there = Window.of(space.region().frame(), now.grown(margin));
+                if (near[other].meets(near[m]) || there.meets(near[m])) {
+                    return false;
+                }
+            }
+        }
+        return true;
     }
 
     /** Gives the trigger points whose paths enter the obstacle at the same cell their leader. */

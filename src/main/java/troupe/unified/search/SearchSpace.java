@@ -15,6 +15,7 @@ import troupe.unified.manipulation.Surroundings;
  * tells is immutable; the counts grow while the search works.
  */
 public final class SearchSpace {
+    private final Optional<SearchSpace> before;
     private final int number;
     private final Region region;
     private final Region guide;
@@ -32,6 +33,7 @@ public final class SearchSpace {
     /** The base space: every obstacle stands where the scene shows it. */
     SearchSpace(Region region, Region guide, Moving moving, ChainTable chains, JourneyCosts costs) {
         this(
+                Optional.empty(),
                 0,
                 region,
                 guide,
@@ -43,6 +45,7 @@ public final class SearchSpace {
     }
 
     private SearchSpace(
+            Optional<SearchSpace> before,
             int number,
             Region region,
             Region guide,
@@ -51,6 +54,7 @@ public final class SearchSpace {
             Optional<Surroundings> surroundings,
             ChainTable chains,
             JourneyCosts costs) {
+        this.before = before;
         this.number = number;
         this.region = region;
         this.guide = guide;
@@ -70,6 +74,7 @@ public final class SearchSpace {
         Polygon outline = moved.outline(pose);
         Region patched = region.with(moved.number(), outline);
         return new SearchSpace(
+                Optional.of(this),
                 newNumber,
                 patched,
                 guide,
@@ -118,18 +123,35 @@ public final class SearchSpace {
         return key;
     }
 
+    /** Returns the space from which this one arose; empty for the base. */
+    Optional<SearchSpace> before() {
+        return before;
+    }
+
     /** Returns the region without the movables that have not been moved yet; built when first asked for. */
     Region optimistic() {
         if (optimistic == null) {
-            Region open = region;
-            for (int m = 0; m < poses.length; m++) {
-                if (poses[m] == null) {
-                    open = open.without(movables.get(m).number());
-                }
-            }
-            optimistic = open;
+            optimistic = before.map(this::changed).orElseGet(this::bare);
         }
         return optimistic;
+    }
+
+    private Region changed(SearchSpace from) {
+        Region changed = from.optimistic();
+        for (int m = 0; m < poses.length; m++) {
+            if (poses[m] != from.poses[m]) {
+                changed = changed.with(movables.get(m).number(), movables.get(m).outline(poses[m]));
+            }
+        }
+        return changed;
+    }
+
+    private Region bare() {
+        Region bare = region;
+        for (Movable movable : movables) {
+            bare = bare.without(movable.number());
+        }
+        return bare;
     }
 
     /**

@@ -29,6 +29,18 @@ final class TriggerTable {
         Arrays.fill(attempts, UNKNOWN);
     }
 
+    /**
+     * Returns the table of a space in which nothing has changed near the obstacle: the same points, and the same
+     * leaders if {@code sameLeaders}, but no attempts.
+     */
+    TriggerTable again(boolean sameLeaders) {
+        TriggerTable table = new TriggerTable(points);
+        if (sameLeaders) {
+            System.arraycopy(leaders, 0, table.leaders, 0, leaders.length);
+        }
+        return table;
+    }
+
     /** Makes each trigger point of a hold its own leader: the one nearest to it, ties by number. Cost O(holds × points). */
     void leadByHolds(Movable movable, GridFrame frame) {
         Arrays.fill(leaders, NONE);
