@@ -22,7 +22,10 @@ import troupe.scene.World;
 
 /** Compares instances in random small scenes with a slow search that shares no code but the definitions. */
 class InstanceOracleTest {
-    private static final Actor ACTOR = Actor.standard("a");
+    private static final Actor BROAD = Actor.standard("a");
+
+    /** So thin that it can stand on either side of a corner without having room to pass it. */
+    private static final Actor THIN = Actor.walker("b", 0.04, 0);
 
     private final Random random = new Random(2024);
     private int found;
@@ -113,7 +116,7 @@ class InstanceOracleTest {
         for (int trial = 0; trial < 60; trial++) {
             Scene scene = movableScene(true);
             Movable movable = Plans.movable(scene, 3 + random.nextInt(10));
-            Region base = new RegionBuilder(scene, ACTOR).region();
+            Region base = new RegionBuilder(scene, trial % 3 == 0 ? THIN : BROAD).region();
             int trigger = stand(base, movable);
             if (trigger < 0) {
                 continue;
