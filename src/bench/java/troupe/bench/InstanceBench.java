@@ -122,4 +122,35 @@ public class InstanceBench {
     public Instance grip() {
         return run(Optional.of(new Grip(movable, surroundings, without, trigger, (pose, stand) -> true)));
     }
+
+    /** Measures the first expansion, with all that has to be prepared for it but the surroundings. */
+    @Benchmark
+    public Instance establish() {
+        Grip grip = new Grip(movable, surroundings, without, trigger, (pose, stand) -> true);
+        Instance instance =
+                new Instance(new Question(movable, surroundings, barred, prices, Optional.of(grip), trigger));
+        instance.advance(1, Long.MAX_VALUE);
+        return instance;
+    }
+
+    /** Measures the surroundings of a space in which something has been moved, and their first use. */
+    @Benchmark
+    public Instance surround() {
+        Surroundings other = surroundings.with(0, movable.outline(0));
+        Instance instance = new Instance(new Question(movable, other, barred, prices, Optional.empty(), trigger));
+        instance.advance(1, Long.MAX_VALUE);
+        return instance;
+    }
+
+    /** Measures a path of 100 cells and the poses of one heading that it bars. */
+    @Benchmark
+    public boolean stamp() {
+        GridFrame frame = without.frame();
+        int[] cells = new int[100];
+        Arrays.setAll(cells, c -> frame.index(50 + c, 75 + c));
+        double[] radii = new double[cells.length];
+        Arrays.fill(radii, 0.25);
+        ExpectedPath path = new ExpectedPath(frame, 1.7, cells, new double[cells.length], radii);
+        return new ConfigurationSpace(movable, path).contains(0, 0, 1);
+    }
 }

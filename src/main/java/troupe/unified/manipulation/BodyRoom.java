@@ -7,6 +7,8 @@ import troupe.geometry.Polygon;
 import troupe.geometry.Segments;
 import troupe.scene.Actor;
 import troupe.scene.Obstacle;
+import troupe.scene.Scene;
+import troupe.scene.World;
 import troupe.unified.body.SweptBody;
 
 /**
@@ -21,7 +23,9 @@ final class BodyRoom {
     private final Actor actor;
     private final Obstacle[] obstacles;
     private final NearEdges edges;
-    private final SweptBody ground;
+    private final Scene scene;
+    private final double reach;
+    private SweptBody ground;
 
     /**
      * Collects what can be in the way.
@@ -39,30 +43,44 @@ final class BodyRoom {
                 outlines.add(surroundings.outline(n));
             }
         }
-        var world = surroundings.scene().world();
+        World world = surroundings.scene().world();
         outlines.add(Polygon.rectangle(0, 0, world.width(), world.depth()));
         this.obstacles = others.toArray(new Obstacle[0]);
         this.edges = new NearEdges(world, outlines, actor.walk().radius() + reach + SLACK);
-        this.ground = new SweptBody(surroundings.scene(), actor);
+        this.scene = surroundings.scene();
+        this.reach = reach;
+    }
+
+    /** Tells whether it was made for this actor and for lines of this length. */
+    boolean serves(Actor other, double length) {
+        return actor.equals(other) && length <= reach;
     }
 
     /** Tells whether a body on {@code floor} that can stand at a keeps {@code least} metres on its way to b. */
     boolean isFree(double ax, double ay, double bx, double by, double floor, double least) {
-        double squared = least * least;
-        double minX = Math.min(ax, bx) - least;
-        double minY = Math.min(ay, by) - least;
-        double maxX = Math.max(ax, bx) + least;
-        double maxY = Math.max(ay, by) + least;
+        double margin = Math.max(least, 0);
+        double squared = margin * margin;
+        double minX = Math.min(ax, bx) - margin;
+        double minY = Math.min(ay, by) - margin;
+        double maxX = Math.max(ax, bx) + margin;
+        double maxY = Math.max(ay, by) + margin;
         for (int e : edges.near(ax, ay)) {
-            if (edges.meetsBox(e, minX, minY, maxX, maxY)
-                    && meets(edges.owner(e), floor)
-                    && Segments.distanceSquared(ax, ay, bx, by, edges.ax(e), edges.ay(e), edges.bx(e), edges.by(e))
-                            < squared) {
-                return false;
+            if (edges.meetsBox(e, minX, minY, maxX, maxY) && meets(edges.owner(e), floor)) {
+                double distance =
+                        Segments.distanceSquared(ax, ay, bx, by, edges.ax(e), edges.ay(e), edges.bx(e), edges.by(e));
+                if (distance < squared || distance == 0) {
+                    return false;
+                }
             }
         }
-        return floor + actor.stepHeight() >= -SLACK
-                || ground.clearsGround(new Line(ax, ay, bx, by), floor, least + SLACK);
+        return floor + actor.stepHeight() >= -SLACK || clearsGround(new Line(ax, ay, bx, by), floor, least);
+    }
+
+    private boolean clearsGround(Line line, double floor, double least) {
+        if (ground == null) {
+            ground = new SweptBody(scene, actor);
+        }
+        return ground.clearsGround(line, floor, least + SLACK);
     }
 
     /** Tells whether a point is inside of an obstacle that a body on {@code floor} would meet. Cost O(obstacles). */

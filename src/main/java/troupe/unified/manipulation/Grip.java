@@ -73,7 +73,7 @@ public final class Grip {
         double flat = 2 * StrictMath.acos(Math.max(-1, 1 - SAGITTA / Math.max(turns.lever(), SAGITTA)));
         this.chords = (int) Math.max(1, Math.ceil(part / flat));
         this.sweep = 2 * turns.lever() * StrictMath.sin(Math.min(movable.turn(), Math.PI) / 2);
-        this.room = new BodyRoom(surroundings, movable.number(), actor, Math.max(frame.stepLength(4), sweep));
+        this.room = surroundings.room(movable, actor, Math.max(frame.stepLength(4), sweep));
         this.passed = new int[turns.parts() + 1];
     }
 
@@ -103,7 +103,7 @@ public final class Grip {
         i = toI;
         j = toJ;
         k = toK;
-        Point at = turns.at(k, 0);
+        Point at = turns.at(k);
         x = at.x() + i * movable.cell();
         y = at.y() + j * movable.cell();
         distance = Double.NaN;

@@ -41,6 +41,7 @@ public final class Instance {
     private final int homeCol;
     private final int homeRow;
     private final long[] shiftCosts = new long[GridFrame.DIRECTIONS];
+    private final double share;
     private final PoseTable table;
     private final OpenList open = new MinHeap(256);
     private final BestFirst search;
@@ -74,6 +75,7 @@ public final class Instance {
                 shiftCosts[d] = Prices.sum(shiftCosts[d], d < STRAIGHT ? prices.walkStraight() : prices.walkDiagonal());
             }
         }
+        share = leastShare();
         table = new PoseTable(cols, headings * (grip == null ? 1 : grip.sheets()));
         search = new BestFirst(
                 open,
@@ -140,16 +142,19 @@ public final class Instance {
 
     /**
      * Returns the least share, from 0 to 1, that moving the obstacle has in the cost of a move: with a grip
-     * the rest is walking. Cost O(headings).
+     * the rest is walking.
      */
     public double obstacleShare() {
+        return share;
+    }
+
+    private double leastShare() {
         if (grip == null) {
             return 1;
         }
         Prices prices = question.prices();
-        double straight = share(prices.straight(), prices.walkStraight());
-        double diagonal = share(prices.diagonal(), prices.walkDiagonal());
-        double least = Math.min(straight, diagonal);
+        double least = Math.min(
+                share(prices.straight(), prices.walkStraight()), share(prices.diagonal(), prices.walkDiagonal()));
         for (int k = 0; headings > 1 && k < headings; k++) {
             least = Math.min(least, share(prices.turn(), turnCost(k) - prices.turn()));
         }

@@ -28,6 +28,8 @@ public final class Movable {
     private final int headings;
     private final Point centroid;
     private final double farthest;
+    private final double[] cosines;
+    private final double[] sines;
     private final AtomicReferenceArray<Polygon> outlines;
     private final AtomicReferenceArray<Polygon> insets;
     private final AtomicReferenceArray<Stamp[]> stamps;
@@ -54,6 +56,12 @@ public final class Movable {
             most = Math.max(most, centroid.distance(outline.x(i), outline.y(i)));
         }
         this.farthest = most;
+        this.cosines = new double[headings];
+        this.sines = new double[headings];
+        for (int k = 0; k < headings; k++) {
+            cosines[k] = StrictMath.cos(k * turn());
+            sines[k] = StrictMath.sin(k * turn());
+        }
         this.outlines = new AtomicReferenceArray<>(headings);
         this.insets = new AtomicReferenceArray<>(headings);
         this.stamps = new AtomicReferenceArray<>(headings);
@@ -93,6 +101,16 @@ public final class Movable {
     /** Returns the angle in radians between two headings that follow each other. */
     public double turn() {
         return 2 * Math.PI / headings;
+    }
+
+    /** Returns the cosine of heading {@code k}. */
+    double cos(int k) {
+        return cosines[k];
+    }
+
+    /** Returns the sine of heading {@code k}. */
+    double sin(int k) {
+        return sines[k];
     }
 
     /** Returns the area centroid in the pose that the scene shows, in metres. */
@@ -142,8 +160,8 @@ public final class Movable {
     }
 
     private Polygon turned(Polygon relative, int k) {
-        double cos = StrictMath.cos(k * turn());
-        double sin = StrictMath.sin(k * turn());
+        double cos = cosines[k];
+        double sin = sines[k];
         double[] xs = new double[relative.size()];
         double[] ys = new double[relative.size()];
         for (int i = 0; i < xs.length; i++) {

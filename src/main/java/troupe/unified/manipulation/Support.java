@@ -26,9 +26,6 @@ final class Support {
     private final Polygon[] tops;
     private final double[] sampleX;
     private final double[] sampleY;
-    private double cos = 1;
-    private double sin = 0;
-    private int turned = 0;
 
     /** Collects what can carry the obstacle in a scene. */
     Support(Scene scene, Movable movable) {
@@ -72,7 +69,8 @@ final class Support {
         if (!carries(x, y)) {
             return false;
         }
-        turn(k);
+        double cos = movable.cos(k);
+        double sin = movable.sin(k);
         int need = (6 * sampleX.length + 9) / 10;
         int spare = sampleX.length - need;
         for (int n = 0; n < sampleX.length && need > 0; n++) {
@@ -83,14 +81,6 @@ final class Support {
             }
         }
         return true;
-    }
-
-    private void turn(int k) {
-        if (k != turned) {
-            cos = StrictMath.cos(k * movable.turn());
-            sin = StrictMath.sin(k * movable.turn());
-            turned = k;
-        }
     }
 
     /** Tells whether everything within the farthest corner's distance of a point is surely support. */

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import troupe.geometry.Overlap;
 import troupe.geometry.Polygon;
+import troupe.scene.Actor;
 import troupe.scene.Obstacle;
 import troupe.scene.Scene;
 
@@ -20,6 +21,7 @@ public final class Surroundings {
     private final boolean[] moved;
     private final Support[] supports;
     private final Sweeps[] sweeps;
+    private final BodyRoom[] rooms;
 
     /** Makes the surroundings of the scene as it is: nothing has been moved. */
     public Surroundings(Scene scene) {
@@ -36,6 +38,7 @@ public final class Surroundings {
         this.moved = moved;
         this.supports = supports;
         this.sweeps = new Sweeps[outlines.length];
+        this.rooms = new BodyRoom[outlines.length];
     }
 
     /** Returns these surroundings with an obstacle, by its number, moved for good. Cost O(obstacles). */
@@ -117,5 +120,14 @@ public final class Surroundings {
             sweeps[n] = new Sweeps(movable, scene.world(), barriers(movable));
         }
         return sweeps[n];
+    }
+
+    /** Returns the room for the body of an actor who holds an obstacle, for lines of at most {@code length} metres. */
+    BodyRoom room(Movable movable, Actor actor, double length) {
+        int n = movable.number();
+        if (rooms[n] == null || !rooms[n].serves(actor, length)) {
+            rooms[n] = new BodyRoom(this, n, actor, 1.25 * length);
+        }
+        return rooms[n];
     }
 }

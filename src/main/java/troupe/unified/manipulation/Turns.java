@@ -17,6 +17,8 @@ final class Turns {
     private final double armX;
     private final double armY;
     private final int parts;
+    private final double[] cosines;
+    private final double[] sines;
     private final int[] cols;
     private final int[] rows;
     private final byte[][] steps;
@@ -32,6 +34,12 @@ final class Turns {
         int headings = movable.headings();
         double length = lever() * movable.turn() / (movable.cell() / 2);
         this.parts = (int) Math.max(1, Math.ceil(length));
+        this.cosines = new double[parts];
+        this.sines = new double[parts];
+        for (int part = 0; part < parts; part++) {
+            cosines[part] = StrictMath.cos(part * movable.turn() / parts);
+            sines[part] = StrictMath.sin(part * movable.turn() / parts);
+        }
         this.cols = new int[headings];
         this.rows = new int[headings];
         this.steps = new byte[headings][];
@@ -57,9 +65,9 @@ final class Turns {
         int row = rows[k];
         int next = (k + 1) % cols.length;
         for (int part = 1; part <= parts; part++) {
-            Point at = at(k, part);
-            int toCol = part == parts ? cols[next] : col(at);
-            int toRow = part == parts ? rows[next] : row(at);
+            Point at = at(part == parts ? next : k, part == parts ? 0 : part);
+            int toCol = col(at);
+            int toRow = row(at);
             found[part - 1] = direction(toCol - col, toRow - row);
             col = toCol;
             row = toRow;
@@ -80,17 +88,21 @@ final class Turns {
         return -2;
     }
 
+    /** Returns where the actor is at heading {@code k} of the obstacle. */
+    Point at(int k) {
+        return at(k, 0);
+    }
+
     /** Returns where the actor is after {@code part} of the {@link #parts} of the turn from heading {@code k}. */
-    Point at(int k, int part) {
+    private Point at(int k, int part) {
         if (k == 0 && part == 0) {
             return new Point(movable.centroid().x() + armX, movable.centroid().y() + armY);
         }
-        double angle = k * movable.turn() + part * movable.turn() / parts;
-        double cos = StrictMath.cos(angle);
-        double sin = StrictMath.sin(angle);
+        double turnedX = movable.cos(k) * armX - movable.sin(k) * armY;
+        double turnedY = movable.sin(k) * armX + movable.cos(k) * armY;
         return new Point(
-                movable.centroid().x() + cos * armX - sin * armY,
-                movable.centroid().y() + sin * armX + cos * armY);
+                movable.centroid().x() + cosines[part] * turnedX - sines[part] * turnedY,
+                movable.centroid().y() + sines[part] * turnedX + cosines[part] * turnedY);
     }
 
     private int col(Point at) {
