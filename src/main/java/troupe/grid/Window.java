@@ -91,6 +91,17 @@ public record Window(int col0, int row0, int cols, int rows) {
         return cut;
     }
 
+    /** Returns a mask of a window {@code whole}, clear but for its {@code part}, which lies in this one, too. */
+    public byte[] cut(byte[] mask, Window part, Window whole) {
+        byte[] cut = new byte[whole.size()];
+        for (int row = part.row0; row < part.row0 + part.rows; row++) {
+            int from = (row - row0) * cols + part.col0 - col0;
+            int to = (row - whole.row0) * whole.cols + part.col0 - whole.col0;
+            System.arraycopy(mask, from, cut, to, part.cols);
+        }
+        return cut;
+    }
+
     private Window union(Window other) {
         int left = Math.min(col0, other.col0);
         int low = Math.min(row0, other.row0);

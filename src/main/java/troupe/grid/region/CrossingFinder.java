@@ -3,227 +3,114 @@ package troupe.grid.region;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.IntPredicate;
 import troupe.geometry.Box;
 import troupe.grid.GridFrame;
 import troupe.grid.Morphology;
 import troupe.grid.Window;
-import troupe.grid.layer.Column;
-import troupe.grid.layer.Columns;
 import troupe.grid.layer.Spans;
 import troupe.scene.Ability;
 import troupe.scene.Actor;
-import troupe.scene.Ditch;
-import troupe.scene.Obstacle;
-import troupe.scene.Scene;
 
 /**
- * Finds the crossings of an actor: per take-off floor the gaps it can stride and the obstacles it can
- * vault, as far as they lie on a legal straight crossing. Works in windows around the surfaces or obstacles
- * in question, so that the cost follows what there is to cross.
+ * Finds the crossings of an actor over the cells of an area: per take-off floor the gaps it can stride and the
+ * obstacles it can vault, as far as they lie on a legal straight crossing. Works in windows around the
+ * surfaces or obstacles in question, so that the cost follows what there is to cross; the result is that of the
+ * whole grid, cut to the area.
  *
  * <p>Source: Unified section 5 (opening); Li and Huang (gaps by closing); semantics in {@code docs/grid.md}.
  */
 final class CrossingFinder {
-    private final Scene scene;
+    private static final int WALK = Ability.WALK.bit();
+
     private final Actor actor;
     private final Spans spans;
-    private final Columns columns;
+    private final CrossingSurvey survey;
     private final Solids solids;
-    private final byte[] kinds;
-    private final byte[] abilities;
+    private final Solids movable;
+    private final Words words;
     private final GridFrame frame;
     private final double cell;
     private final int[] columnAt;
-    private final int[] takeOff;
-    private final int[] drops;
     private long[] found = new long[64];
     private int count;
 
-    /** Prepares the search for crossings where movable obstacles stand and leave spans certain abilities. */
-    CrossingFinder(Structure structure, Solid[] movables, byte[] abilities) {
-        this.scene = structure.scene();
+    /** Prepares the search for crossings where movable obstacles stand and the words tell how spans are. */
+    CrossingFinder(Structure structure, Solid[] movables, Words words) {
         this.actor = structure.actor();
         this.spans = structure.spans();
-        this.columns = structure.columns();
-        Standing standing = structure.standing();
-        this.solids = new Solids(scene, actor, columns, standing.rims(), structure.solids(movables), spans.frame());
-        this.kinds = standing.kinds();
-        this.abilities = abilities;
+        this.survey = structure.survey();
+        this.solids = structure.fixed().about(structure.solids(movables));
+        this.movable = structure.fixed().about(Structure.present(movables));
+        this.words = words;
         this.frame = spans.frame();
         this.cell = frame.cell();
         this.columnAt = spans.columnAt();
-        this.takeOff = new int[4 * spans.levels()];
-        this.drops = new int[spans.levels()];
-        survey();
     }
 
-    /** Finds all crossings. */
-    Crossings find() {
-        for (int level = 0; level < spans.levels(); level++) {
-            if (takeOff[4 * level + 2] >= takeOff[4 * level]) {
-                if (actor.stride().isPresent()) {
-                    gaps(level, actor.stride().get().gait());
-                }
-                if (actor.vault().isPresent()) {
-                    vaults(level, actor.vault().get());
-                }
-            }
-        }
-        return new Crossings(frame.size(), found, count);
+    /** Returns the keys of {@link Crossings} of what was found so far, ascending. */
+    long[] found() {
+        return Crossings.sorted(found, count);
     }
 
-    /** Finds for each level the cells that bound its take-off places, and how many spans are over a drop. */
-    private void survey() {
-        for (int level = 0; level < spans.levels(); level++) {
-            takeOff[4 * level] = Integer.MAX_VALUE;
-            takeOff[4 * level + 1] = Integer.MAX_VALUE;
-            takeOff[4 * level + 2] = -1;
-            takeOff[4 * level + 3] = -1;
-        }
-        for (int sheet = 0; sheet < spans.sheets(); sheet++) {
-            for (int row = 1; row < frame.rows() - 1; row++) {
-                int base = row * frame.cols();
-                for (int col = 1; col < frame.cols() - 1; col++) {
-                    int q = sheet * frame.size() + base + col;
-                    if (kinds[q] == Kind.ABSENT) {
-                        continue;
-                    }
-                    int level = spans.level(columnAt[base + col], sheet);
-                    if (kinds[q] == Kind.FORBIDDEN) {
-                        drops[level]++;
-                    } else if (takesOff(q)) {
-                        takeOff[4 * level] = Math.min(takeOff[4 * level], col);
-                        takeOff[4 * level + 1] = Math.min(takeOff[4 * level + 1], row);
-                        takeOff[4 * level + 2] = Math.max(takeOff[4 * level + 2], col);
-                        takeOff[4 * level + 3] = row;
-                    }
-                }
-            }
-        }
-    }
-
-    private boolean takesOff(int q) {
-        return kinds[q] == Kind.STABLE && (abilities[q] & Ability.WALK.bit()) != 0;
-    }
-
-    /** Returns per column the first id of the sheet of the span within a step of a floor, -1 if there is none. */
-    private int[] sheetsNear(double floor) {
-        int[] base = new int[spans.columns()];
-        for (int column = 0; column < base.length; column++) {
-            base[column] = -1;
-            for (int k = 0; k < spans.sheets(); k++) {
-                if (Math.abs(spans.floor(column, k) - floor) <= actor.stepHeight() + Column.SAME) {
-                    base[column] = k * frame.size();
-                }
-            }
-        }
-        return base;
-    }
-
-    private void gaps(int level, double gait) {
-        double floor = spans.elevation(level);
-        int[] base = sheetsNear(floor);
-        boolean[] free = new boolean[base.length];
-        boolean any = false;
-        for (int column = 0; column < base.length; column++) {
-            free[column] = !columns.column(column).meets(floor + actor.stepHeight(), floor + actor.bodyHeight());
-            any |= free[column] && base[column] < 0;
-        }
-        for (int other = 0; other < drops.length; other++) {
-            any |= drops[other] > 0 && within(spans.elevation(other), floor);
-        }
-        if (any) {
-            clusters(level, gait).forEach(surface -> gaps(level, gait, surface, base, free));
-        }
-    }
-
-    /**
-     * Returns windows around the surfaces within a step of a level that hold take-off places, such that a
-     * crossing of at most {@code limit} metres from that level stays within one of them; they share no cell.
-     */
-    private List<Window> clusters(int level, double limit) {
-        double margin = limit / 2 + 2 * cell;
-        List<Window> windows = new ArrayList<>();
-        for (Box box : Window.apart(surfaces(spans.elevation(level), margin))) {
-            Window window = Window.of(frame, box.grown(-margin));
-            if (window.meets(takeOff(level))) {
-                windows.add(window);
-            }
-        }
-        return windows;
-    }
-
-    /** Returns the window that holds the take-off places of a level. */
-    private Window takeOff(int level) {
-        int col = takeOff[4 * level];
-        int row = takeOff[4 * level + 1];
-        return new Window(col, row, takeOff[4 * level + 2] - col + 1, takeOff[4 * level + 3] - row + 1);
-    }
-
-    private boolean within(double height, double floor) {
-        return Math.abs(height - floor) <= actor.stepHeight() + Column.SAME;
-    }
-
-    /** Returns the boxes of the surfaces within a step of a floor, grown by a margin in metres. */
-    private List<Box> surfaces(double floor, double margin) {
-        if (within(0, floor)) {
-            return List.of(new Box(0, 0, scene.world().width(), scene.world().depth()).grown(margin));
-        }
-        List<Box> boxes = new ArrayList<>();
-        for (Ditch ditch : scene.ditches()) {
-            if (within(-ditch.depth(), floor)) {
-                boxes.add(ditch.outline().bounds().grown(margin));
-            }
-        }
-        for (Obstacle obstacle : scene.obstacles()) {
-            if (!obstacle.movable() && within(obstacle.top(), floor)) {
-                boxes.add(obstacle.outline().bounds().grown(margin));
-            }
-        }
-        return boxes;
-    }
-
-    private void gaps(int level, double gait, Window surface, int[] base, boolean[] free) {
-        byte[] supported = new byte[surface.size()];
-        byte[] open = new byte[surface.size()];
-        for (int row = 0, i = 0; row < surface.rows(); row++) {
-            int at = (surface.row0() + row) * frame.cols() + surface.col0();
-            for (int end = i + surface.cols(); i < end; i++, at++) {
-                int column = columnAt[at];
-                boolean carries = base[column] >= 0 && kinds[base[column] + at] != Kind.FORBIDDEN;
-                supported[i] = (byte) (carries ? 1 : 0);
-                open[i] = (byte) (!carries && free[column] ? 1 : 0);
-            }
-        }
-        Window holes = surface.occupied(open);
-        if (holes.size() == 0) {
+    /** Finds the gaps over the cells of an area, from the levels that a condition lets pass. */
+    void gaps(Window area, IntPredicate levels) {
+        if (actor.stride().isEmpty()) {
             return;
         }
-        Window window = holes.grown((int) Math.ceil(gait / cell) + 1, frame).common(surface);
-        byte[] gap = surface.cut(supported, window);
-        byte[] candidates = surface.cut(open, window);
-        double radius = gait / 2 / cell;
-        new Morphology(window.cols(), window.rows(), radius).close(gap, radius, false, gap);
-        int any = 0;
-        for (int i = 0; i < candidates.length; i++) {
-            candidates[i] &= gap[i];
-            any |= candidates[i];
-        }
-        if (any != 0) {
-            solids.clearNear(spans.elevation(level), window, candidates);
-            keep(level, Kind.GAP, gait, window, candidates, base);
+        double gait = actor.stride().get().gait();
+        Window around = area.grown(cells(gait), frame);
+        for (int level = 0; level < spans.levels(); level++) {
+            if (survey.takesOff(level) && levels.test(level)) {
+                for (CrossingSurvey.Mask mask : survey.gaps(level)) {
+                    gaps(level, gait, mask, around, area);
+                }
+            }
         }
     }
 
-    private void vaults(int level, Actor.Vault vault) {
+    /** Finds the vaults over the cells of an area, from the levels that a condition lets pass. */
+    void vaults(Window area, IntPredicate levels) {
+        if (actor.vault().isEmpty()) {
+            return;
+        }
+        for (int level = 0; level < spans.levels(); level++) {
+            if (survey.takesOff(level) && levels.test(level)) {
+                vaults(level, actor.vault().get(), area);
+            }
+        }
+    }
+
+    /** Returns how many cells a limit in metres may pass, one more for rounding. */
+    private int cells(double limit) {
+        return (int) Math.ceil(limit / cell) + 1;
+    }
+
+    private void gaps(int level, double gait, CrossingSurvey.Mask mask, Window around, Window area) {
+        Window window = mask.window().common(around);
+        if (window.size() == 0) {
+            return;
+        }
+        byte[] candidates = mask.window().cut(mask.cells(), window);
+        movable.clearNearObstacles(spans.elevation(level), window, candidates);
+        keep(level, Kind.GAP, gait, window, candidates, area);
+    }
+
+    private void vaults(int level, Actor.Vault vault, Window area) {
         double floor = spans.elevation(level);
-        List<Box> boxes = solids.vaultable(floor, vault);
+        Window around = area.grown(cells(vault.reach()), frame);
+        List<Box> boxes = new ArrayList<>();
+        for (Box box : solids.vaultable(floor, vault)) {
+            if (Window.of(frame, box).meets(around)) {
+                boxes.add(box);
+            }
+        }
         if (boxes.isEmpty()) {
             return;
         }
-        Window reachable = takeOff(level).grown((int) Math.ceil(vault.reach() / cell) + 1, frame);
-        List<Window> clusters = clusters(level, vault.reach());
-        int[] base = sheetsNear(floor);
+        Window reachable =
+                survey.takeOff(level).grown(cells(vault.reach()), frame).common(around);
+        List<Window> clusters = survey.clusters(level, vault.reach());
         List<Window> windows = new ArrayList<>();
         for (Box box : Window.apart(boxes)) {
             for (Window cluster : clusters) {
@@ -234,50 +121,54 @@ final class CrossingFinder {
             }
         }
         int margin = 3 * (int) Math.ceil(vault.reach() / 2 / cell);
-        Window.merged(windows, margin).forEach(window -> vaults(level, vault, window, base));
+        Window.merged(windows, margin).forEach(window -> vaults(level, vault, window, area));
     }
 
-    private void vaults(int level, Actor.Vault vault, Window inner, int[] base) {
-        Window window = inner.grown((int) Math.ceil(vault.reach() / cell) + 1, frame);
+    private void vaults(int level, Actor.Vault vault, Window inner, Window area) {
+        Window window = inner.grown(cells(vault.reach()), frame);
         byte[] vaultable = new byte[window.size()];
         if (!solids.vaultable(spans.elevation(level), vault, window, vaultable)) {
             return;
         }
         byte[] barred = new byte[window.size()];
-        int walk = Ability.WALK.bit();
+        int[] base = survey.sheetsNear(level);
+        char[] lowest = new char[window.cols()];
         for (int row = 0, i = 0; row < window.rows(); row++) {
             int at = (window.row0() + row) * frame.cols() + window.col0();
-            for (int end = i + window.cols(); i < end; i++, at++) {
+            words.read(at, lowest.length, lowest);
+            for (int k = 0; k < lowest.length; k++, i++, at++) {
                 int first = base[columnAt[at]];
-                boolean walkable = first >= 0 && (abilities[first + at] & walk) != 0;
-                barred[i] = walkable ? vaultable[i] : 1;
+                int word = first == 0 ? lowest[k] : first > 0 ? words.get(first + at) : 0;
+                barred[i] = (word & WALK) != 0 ? vaultable[i] : 1;
             }
         }
         double radius = vault.reach() / 2 / cell;
         new Morphology(window.cols(), window.rows(), radius).open(barred, radius, true, barred);
-        byte[] candidates = new byte[window.size()];
-        int any = 0;
-        for (int row = inner.row0(); row < inner.row0() + inner.rows(); row++) {
-            int i = (row - window.row0()) * window.cols() + inner.col0() - window.col0();
-            for (int end = i + inner.cols(); i < end; i++) {
-                candidates[i] = (byte) (vaultable[i] & ~barred[i]);
-                any |= candidates[i];
-            }
+        byte[] candidates = window.cut(vaultable, inner);
+        byte[] opened = window.cut(barred, inner);
+        for (int i = 0; i < candidates.length; i++) {
+            candidates[i] &= (byte) ~opened[i];
         }
-        if (any != 0) {
-            keep(level, Kind.JUMPABLE, vault.reach(), window, candidates, base);
-        }
+        keep(level, Kind.JUMPABLE, vault.reach(), inner, candidates, area);
     }
 
-    /** Keeps of the candidates in a window what lies on a legal straight crossing. */
-    private void keep(int level, byte kind, double limit, Window window, byte[] candidates, int[] base) {
-        Window ends = window.occupied(candidates).grown(1, frame).common(window);
-        byte[] state = window.cut(candidates, ends);
+    /** Keeps of the candidates in a window what lies in the area and on a legal straight crossing. */
+    private void keep(int level, byte kind, double limit, Window window, byte[] candidates, Window area) {
+        Window occupied = window.occupied(candidates);
+        if (occupied.size() == 0) {
+            return;
+        }
+        Window ends = occupied.grown(1, frame);
+        byte[] state = window.cut(candidates, ends.common(window), ends);
+        int[] base = survey.sheetsNear(level);
+        char[] lowest = new char[ends.cols()];
         for (int row = 0, i = 0; row < ends.rows(); row++) {
             int at = (ends.row0() + row) * frame.cols() + ends.col0();
-            for (int end = i + ends.cols(); i < end; i++, at++) {
+            words.read(at, lowest.length, lowest);
+            for (int k = 0; k < lowest.length; k++, i++, at++) {
                 int first = base[columnAt[at]];
-                if (first >= 0 && takesOff(first + at)) {
+                int word = first == 0 ? lowest[k] : first > 0 ? words.get(first + at) : 0;
+                if ((word & WALK) != 0 && Words.kind(word) == Kind.STABLE) {
                     boolean begins = spans.level(columnAt[at], first / frame.size()) == level;
                     state[i] |= (byte) (begins ? Pruning.END | Pruning.BEGIN : Pruning.END);
                 }
@@ -287,7 +178,7 @@ final class CrossingFinder {
         for (int row = 0, i = 0; row < ends.rows(); row++) {
             int at = (ends.row0() + row) * frame.cols() + ends.col0();
             for (int end = i + ends.cols(); i < end; i++, at++) {
-                if (kept[i] != 0) {
+                if (kept[i] != 0 && area.holds(ends.col0() + ends.cols() - (end - i), ends.row0() + row)) {
                     if (count == found.length) {
                         found = Arrays.copyOf(found, 2 * count);
                     }

@@ -6,16 +6,16 @@ import troupe.scene.Actor;
 /** Joins single spans to their neighbours, for cells where neighbouring columns differ. */
 final class Joints {
     private final Spans spans;
-    private final byte[] abilities;
+    private final Words words;
     private final int[] at;
     private final int[] offsets;
     private final int cells;
     private final double stepHeight;
     private final double bodyHeight;
 
-    Joints(Actor actor, Spans spans, byte[] abilities) {
+    Joints(Actor actor, Spans spans, Words words) {
         this.spans = spans;
-        this.abilities = abilities;
+        this.words = words;
         this.at = spans.columnAt();
         this.offsets = spans.frame().offsets();
         this.cells = spans.frame().size();
@@ -36,7 +36,7 @@ final class Joints {
             base = sheet * cells;
         }
         int target = base + cell + offset;
-        return abilities[target] != 0 ? target : -1;
+        return (words.get(target) & Words.STANDING) != 0 ? target : -1;
     }
 
     /** Returns the legal neighbour of an open span in direction {@code d} among the spans, -1 if there is none. */

@@ -1,118 +1,122 @@
 package troupe.grid.region;
 
-import java.util.BitSet;
 import troupe.grid.GridFrame;
+import troupe.grid.Window;
 import troupe.grid.layer.Spans;
 
 /**
- * Finds the legal steps between spans of the same sheet, one bit per direction. Where the nine columns
- * around a cell are the same, the steps follow from which of the nine spans are open, by a table; elsewhere
- * the spans are joined one by one.
+ * Finds the legal steps between spans of the same sheet, one bit per direction, and which spans have others.
+ * Where the nine columns around a cell are the same, the steps follow from which of the nine spans are open, by
+ * a table; elsewhere the spans are joined one by one. What it finds goes into the words.
  */
 final class Moves {
-    /** Legal directions for each mask of open neighbours: a diagonal needs both its straight neighbours. */
-    private static final byte[] LEGAL = new byte[256];
+    /** Legal directions for each mask of nine open places: columns from the left, in each from below. */
+    private static final byte[] LEGAL = new byte[512];
+
+    /** Set in a {@link #triple} where the three columns are the same. */
+    private static final int SAME = 8;
 
     static {
-        for (int mask = 0; mask < 256; mask++) {
-            int legal = mask & 15;
-            for (int d = 4; d < 8; d++) {
-                int straight = 1 << d - 4 | 1 << (d - 3 & 3);
-                if ((mask >> d & 1) != 0 && (mask & straight) == straight) {
-                    legal |= 1 << d;
+        for (int mask = 0; mask < LEGAL.length; mask++) {
+            int legal = 0;
+            for (int d = 0; d < GridFrame.DIRECTIONS; d++) {
+                boolean open = open(mask, d);
+                if (d >= 4) {
+                    open &= open(mask, d - 4) && open(mask, d - 3 & 3);
                 }
+                legal |= open ? 1 << d : 0;
             }
             LEGAL[mask] = (byte) legal;
         }
     }
 
     private final Spans spans;
-    private final byte[] abilities;
+    private final Words words;
     private final Joints joints;
+    private final int[] at;
     private final int[] offsets;
-    private final byte[] moves;
-    private final BitSet elsewhere;
+    private final int cells;
+    private final int cols;
 
-    Moves(Spans spans, byte[] abilities, Joints joints) {
+    Moves(Spans spans, Words words, Joints joints) {
         this.spans = spans;
-        this.abilities = abilities;
+        this.words = words;
         this.joints = joints;
+        this.at = spans.columnAt();
         this.offsets = spans.frame().offsets();
-        this.moves = new byte[abilities.length];
-        this.elsewhere = new BitSet();
+        this.cells = spans.frame().size();
+        this.cols = spans.frame().cols();
     }
 
-    /** Finds the steps of every open span. Cost O(spans). */
-    void compute() {
-        GridFrame frame = spans.frame();
-        int cols = frame.cols();
-        int[] at = spans.columnAt();
+    private static boolean open(int mask, int d) {
+        return (mask >> 3 * (GridFrame.dx(d) + 1) + GridFrame.dy(d) + 1 & 1) != 0;
+    }
+
+    /** Finds the steps of the spans over a window of cells anew, those to crossings left out. Cost O(spans there). */
+    void compute(Window window) {
+        Window inner = window.common(new Window(1, 1, cols - 2, spans.frame().rows() - 2));
+        char[][] rows = new char[3][inner.cols() + 2];
+        char[] found = new char[inner.cols()];
         for (int sheet = 0; sheet < spans.sheets(); sheet++) {
-            int base = sheet * frame.size();
-            for (int row = 1; row < frame.rows() - 1; row++) {
-                for (int cell = row * cols + 1, end = cell + cols - 2; cell < end; cell++) {
-                    int q = base + cell;
-                    if (abilities[q] == 0) {
-                        continue;
-                    }
-                    if (uniform(at, cell, cols)) {
-                        moves[q] = LEGAL[around(abilities, q, cols)];
-                    } else {
-                        single(q, cell);
-                    }
-                }
+            int q = sheet * cells + (inner.row0() - 1) * cols + inner.col0() - 1;
+            words.read(q, inner.cols() + 2, rows[0]);
+            words.read(q + cols, inner.cols() + 2, rows[1]);
+            for (int row = 0; row < inner.rows(); row++) {
+                q += cols;
+                char[] below = rows[row % 3];
+                char[] own = rows[(row + 1) % 3];
+                char[] above = rows[(row + 2) % 3];
+                words.read(q + cols, inner.cols() + 2, above);
+                row(q + 1, (inner.row0() + row) * cols + inner.col0(), below, own, above, found);
+                words.write(q + 1, inner.cols(), found);
             }
         }
     }
 
-    private void single(int q, int cell) {
-        int mask = 0;
+    /** Finds the words of a row of spans from {@code first} on, of which three rows are given with one more each side. */
+    private void row(int first, int firstCell, char[] below, char[] own, char[] above, char[] found) {
+        int left = triple(firstCell - 1, below[0], own[0], above[0]);
+        int middle = triple(firstCell, below[1], own[1], above[1]);
+        for (int i = 0; i < found.length; i++) {
+            int cell = firstCell + i;
+            int right = triple(cell + 1, below[i + 2], own[i + 2], above[i + 2]);
+            int word = own[i + 1] & 0xff & ~(Words.SPECIAL | Words.ELSEWHERE);
+            if ((word & Words.STANDING) != 0) {
+                boolean uniform =
+                        (left & middle & right & SAME) != 0 && at[cell - 1] == at[cell] && at[cell + 1] == at[cell];
+                word |= uniform
+                        ? (LEGAL[left & 7 | (middle & 7) << 3 | (right & 7) << 6] & 0xff) << Words.MOVES
+                        : single(first + i, cell);
+            }
+            found[i] = (char) word;
+            left = middle;
+            middle = right;
+        }
+    }
+
+    /** Returns which of a cell and those below and above it are open, from below, and whether columns are the same. */
+    private int triple(int cell, int below, int own, int above) {
+        return open(below)
+                | open(own) << 1
+                | open(above) << 2
+                | (at[cell - cols] == at[cell] && at[cell + cols] == at[cell] ? SAME : 0);
+    }
+
+    /** Returns 1 for the word of an open span, 0 for another, without a branch. */
+    private static int open(int word) {
+        return -(word & Words.STANDING) >>> 31;
+    }
+
+    private int single(int q, int cell) {
+        int bits = 0;
         for (int d = 0; d < GridFrame.DIRECTIONS; d++) {
             int target = joints.legal(q, cell, d);
             if (target == q + offsets[d]) {
-                mask |= 1 << d;
+                bits |= 1 << Words.MOVES + d;
             } else if (target >= 0) {
-                elsewhere.set(q);
+                bits |= Words.SPECIAL | Words.ELSEWHERE;
             }
         }
-        moves[q] = (byte) mask;
-    }
-
-    /** Returns the directions of each configuration's steps on its own sheet; the array itself. */
-    byte[] moves() {
-        return moves;
-    }
-
-    /** Returns the spans that have a step to another sheet; the set itself. */
-    BitSet elsewhere() {
-        return elsewhere;
-    }
-
-    private static boolean uniform(int[] at, int cell, int cols) {
-        int id = at[cell];
-        return at[cell - 1] == id
-                && at[cell + 1] == id
-                && at[cell - cols - 1] == id
-                && at[cell - cols] == id
-                && at[cell - cols + 1] == id
-                && at[cell + cols - 1] == id
-                && at[cell + cols] == id
-                && at[cell + cols + 1] == id;
-    }
-
-    private static int around(byte[] abilities, int q, int cols) {
-        return bit(abilities[q + 1], 0)
-                | bit(abilities[q + cols], 1)
-                | bit(abilities[q - 1], 2)
-                | bit(abilities[q - cols], 3)
-                | bit(abilities[q + cols + 1], 4)
-                | bit(abilities[q + cols - 1], 5)
-                | bit(abilities[q - cols - 1], 6)
-                | bit(abilities[q - cols + 1], 7);
-    }
-
-    /** Moves "not 0" of a small non-negative number to a bit without a branch. */
-    private static int bit(int abilities, int d) {
-        return (-abilities >>> 31) << d;
+        return bits;
     }
 }

@@ -1,9 +1,9 @@
 package troupe.grid.region;
 
-import java.util.BitSet;
 import java.util.Locale;
 import troupe.grid.GridFrame;
 import troupe.grid.GridLimitException;
+import troupe.grid.Window;
 import troupe.grid.layer.Column;
 import troupe.grid.layer.Spans;
 import troupe.scene.Actor;
@@ -13,29 +13,30 @@ final class Neighbours {
     private final GridFrame frame;
     private final Spans spans;
     private final Crossings crossings;
-    private final byte[] abilities;
+    private final Words words;
     private final Joints joints;
-    private final byte[] moves;
-    private final BitSet elsewhere;
     private final double stepHeight;
     private final int[] offsets;
     private final int spanCount;
 
-    Neighbours(Actor actor, Spans spans, Crossings crossings, byte[] abilities, Joints joints, Moves steps) {
+    /**
+     * Prepares the search for neighbours in finished words.
+     *
+     * @throws GridLimitException if too many crossings lie over a cell
+     */
+    Neighbours(Actor actor, Spans spans, Crossings crossings, Words words) {
         this.frame = spans.frame();
         this.spans = spans;
         this.crossings = crossings;
-        this.abilities = abilities;
-        this.joints = joints;
-        this.moves = steps.moves();
-        this.elsewhere = steps.elsewhere();
+        this.words = words;
+        this.joints = new Joints(actor, spans, words);
         this.stepHeight = actor.stepHeight();
         this.offsets = frame.offsets();
         this.spanCount = spans.size();
-        for (int i = 0; i < crossings.size(); i++) {
-            int over = crossings.first(crossings.cell(i) + 1) - crossings.first(crossings.cell(i));
+        for (int n = 0; n < crossings.cells(); n++) {
+            int over = crossings.start(n + 1) - crossings.start(n);
             if (over >= Region.MAX_NEIGHBOURS / GridFrame.DIRECTIONS) {
-                int cell = crossings.cell(i);
+                int cell = crossings.cell(crossings.start(n));
                 throw new GridLimitException(
                         String.format(
                                 Locale.ROOT,
@@ -49,15 +50,29 @@ final class Neighbours {
         }
     }
 
-    /** Adds the open spans that may have a crossing for a neighbour. */
-    void markNear(BitSet special) {
-        for (int i = 0; i < crossings.size(); i++) {
-            for (int d = 0; d < GridFrame.DIRECTIONS; d++) {
-                int cell = crossings.cell(i) + offsets[d];
-                for (int q = cell; q < spanCount; q += frame.size()) {
-                    if (abilities[q] != 0 && near(spans.floor(q), i)) {
-                        special.set(q);
-                    }
+    /** Marks as special, over the cells of a window, the open spans that may have a crossing for a neighbour. */
+    void markNear(Window window) {
+        Window around = window.grown(1, frame);
+        for (int row = around.row0(); row < around.row0() + around.rows(); row++) {
+            int from = frame.index(around.col0(), row);
+            for (int i = crossings.first(from), end = crossings.first(from + around.cols()); i < end; i++) {
+                markNear(window, i);
+            }
+        }
+    }
+
+    private void markNear(Window window, int crossing) {
+        int row = frame.row(crossings.cell(crossing));
+        int col = crossings.cell(crossing) - row * frame.cols();
+        for (int d = 0; d < GridFrame.DIRECTIONS; d++) {
+            if (!window.holds(col + GridFrame.dx(d), row + GridFrame.dy(d))) {
+                continue;
+            }
+            int cell = crossings.cell(crossing) + offsets[d];
+            for (int q = cell; q < spanCount; q += frame.size()) {
+                int word = words.get(q);
+                if ((word & Words.STANDING) != 0 && (word & Words.SPECIAL) == 0 && near(spans.floor(q), crossing)) {
+                    words.set(q, word | Words.SPECIAL);
                 }
             }
         }
@@ -69,15 +84,16 @@ final class Neighbours {
 
     /** Finds the legal neighbours of an open configuration, ascending by direction, then id. */
     int of(int q, int cell, int[] targets, int[] directions) {
-        if (abilities[q] == 0) {
+        int word = q < spanCount ? words.get(q) : 0;
+        if (q < spanCount && (word & Words.STANDING) == 0) {
             return 0;
         }
         int count = 0;
-        boolean onSheet = q < spanCount && !elsewhere.get(q);
+        boolean onSheet = q < spanCount && (word & Words.ELSEWHERE) == 0;
         for (int d = 0; d < GridFrame.DIRECTIONS; d++) {
             int to = cell + offsets[d];
             if (onSheet) {
-                if ((moves[q] >> d & 1) != 0) {
+                if ((word >> Words.MOVES + d & 1) != 0) {
                     targets[count] = q + offsets[d];
                     directions[count++] = d;
                 }
@@ -89,7 +105,8 @@ final class Neighbours {
                 }
             } else {
                 for (int target = to; target < spanCount; target += frame.size()) {
-                    if (abilities[target] != 0 && legal(q, cell, d, target, targets, directions, count)) {
+                    if ((words.get(target) & Words.STANDING) != 0
+                            && legal(q, cell, d, target, targets, directions, count)) {
                         targets[count] = target;
                         directions[count++] = d;
                     }

@@ -1,9 +1,10 @@
 package troupe.grid.region;
 
-import java.util.BitSet;
+import java.util.Arrays;
 import java.util.Optional;
 import troupe.geometry.Polygon;
 import troupe.grid.GridFrame;
+import troupe.grid.Window;
 import troupe.grid.layer.Column;
 import troupe.grid.layer.Spans;
 import troupe.scene.Ability;
@@ -36,42 +37,67 @@ public final class Region implements StepRelation {
     private final Actor actor;
     private final GridFrame frame;
     private final Spans spans;
+    private final Words words;
     private final Crossings crossings;
     private final Clearance clearance;
     private final int cells;
     private final int spanCount;
-    private final byte[] kinds;
-    private final byte[] abilities;
-    private final byte[] moves;
-    private final BitSet special;
-    private final Neighbours neighbours;
     private final int[] offsets;
-    private volatile TargetLists lists;
+    private final TargetBand[] bands;
+    private final TargetBand.Source source;
 
     /** Builds the region of a structure with movable obstacles where they stand; null where one is not there. */
     Region(Structure structure, Solid[] movables) {
+        this(structure, movables, fresh(structure, movables));
+    }
+
+    private Region(Structure structure, Solid[] movables, Parts parts) {
         this.structure = structure;
         this.movables = movables;
         this.actor = structure.actor();
         this.spans = structure.spans();
         this.frame = spans.frame();
-        byte[] standing = structure.standing().abilities(movables);
-        this.crossings = actor.stride().isPresent() || actor.vault().isPresent()
-                ? new CrossingFinder(structure, movables, standing).find()
-                : Crossings.NONE;
-        this.clearance = new Clearance(structure, movables);
         this.cells = frame.size();
         this.spanCount = spans.size();
-        this.kinds = structure.standing().kinds(crossings);
-        this.abilities = Standing.abilities(standing, crossings);
         this.offsets = frame.offsets();
-        Joints joints = new Joints(actor, spans, abilities);
-        Moves steps = new Moves(spans, abilities, joints);
-        steps.compute();
-        this.moves = steps.moves();
-        this.neighbours = new Neighbours(actor, spans, crossings, abilities, joints, steps);
-        this.special = (BitSet) steps.elsewhere().clone();
-        neighbours.markNear(special);
+        this.words = parts.words();
+        this.crossings = parts.crossings();
+        this.bands = parts.bands();
+        this.clearance = new Clearance(structure, movables);
+        this.source = TargetBand.Source.of(words, crossings, parts.neighbours(), frame, spanCount);
+    }
+
+    /** What a region computes or shares. */
+    private record Parts(Words words, Crossings crossings, Neighbours neighbours, TargetBand[] bands) {}
+
+    private static Parts fresh(Structure structure, Solid[] movables) {
+        Spans spans = structure.spans();
+        GridFrame frame = spans.frame();
+        Window whole = new Window(0, 0, frame.cols(), frame.rows());
+        Words words = structure.standing().words();
+        structure.standing().bar(movables, whole, words);
+        Crossings crossings = Crossings.NONE;
+        if (structure.crosses()) {
+            CrossingFinder finder = new CrossingFinder(structure, movables, words);
+            finder.gaps(whole, level -> true);
+            finder.vaults(whole, level -> true);
+            crossings = new Crossings(frame.size(), finder.found());
+        }
+        new Moves(spans, words, new Joints(structure.actor(), spans, words)).compute(whole);
+        Neighbours neighbours = new Neighbours(structure.actor(), spans, crossings, words);
+        neighbours.markNear(whole);
+        TargetBand[] bands = new TargetBand[TargetBand.bands(frame)];
+        Arrays.setAll(bands, band -> new TargetBand());
+        return new Parts(words, crossings, neighbours, bands);
+    }
+
+    private Region moved(Solid[] changed) {
+        RegionPatch patch = new RegionPatch(structure, movables, words, crossings, changed);
+        patch.run();
+        return new Region(
+                structure,
+                changed,
+                new Parts(patch.words(), patch.crossings(), patch.neighbours(), patch.bands(bands)));
     }
 
     /** Builds the region of an actor that has already lost the abilities which preferences switch off. */
@@ -92,7 +118,7 @@ public final class Region implements StepRelation {
         }
         Solid[] changed = movables.clone();
         changed[obstacle] = structure.placed(obstacle, outline);
-        return new Region(structure, changed);
+        return moved(changed);
     }
 
     /**
@@ -108,7 +134,7 @@ public final class Region implements StepRelation {
         }
         Solid[] changed = movables.clone();
         changed[obstacle] = null;
-        return new Region(structure, changed);
+        return moved(changed);
     }
 
     /**
@@ -209,18 +235,18 @@ public final class Region implements StepRelation {
      * barred by a movable obstacle finds it in {@link #open}, not here.
      */
     public byte kind(int q) {
-        return kinds[q];
+        return q < spanCount ? Words.kind(words.get(q)) : crossings.kind(q - spanCount);
     }
 
     /** Returns the bit mask ({@link troupe.scene.Ability#bit}) of the abilities usable there; 0 where none is. */
     public int abilities(int q) {
-        return abilities[q];
+        return q < spanCount ? words.get(q) & Words.STANDING : crossings.abilities(q - spanCount);
     }
 
     /** Tells whether some ability can be used there. */
     @Override
     public boolean open(int q) {
-        return abilities[q] != 0;
+        return q >= spanCount || (words.get(q) & Words.STANDING) != 0;
     }
 
     /**
@@ -229,18 +255,18 @@ public final class Region implements StepRelation {
      */
     @Override
     public int moves(int q) {
-        return moves[q] & 0xff;
+        return q < spanCount ? words.get(q) >> Words.MOVES : 0;
     }
 
     /** Tells whether {@link #moves} gives all legal neighbours. */
     @Override
     public boolean plain(int q) {
-        return q < spanCount && !special.get(q);
+        return q < spanCount && (words.get(q) & Words.SPECIAL) == 0;
     }
 
     /**
-     * Finds all legal neighbours, ascending by direction, then id. Those that no mask gives are found for the
-     * whole region when the first of them is asked for.
+     * Finds all legal neighbours, ascending by direction, then id. Those that no mask gives are found for a band
+     * of rows when the first of them is asked for.
      *
      * @param targets receives the neighbours; at least {@link #MAX_NEIGHBOURS} long
      * @param directions receives the direction of each; as long
@@ -249,8 +275,8 @@ public final class Region implements StepRelation {
     @Override
     public int neighbours(int q, int[] targets, int[] directions) {
         if (!plain(q)) {
-            TargetLists known = lists;
-            return (known == null ? lists() : known).of(q, targets, directions);
+            int band = frame.row(cell(q)) / TargetBand.ROWS;
+            return bands[band].of(q, band, source, targets, directions);
         }
         int count = 0;
         int mask = moves(q);
@@ -261,13 +287,6 @@ public final class Region implements StepRelation {
             }
         }
         return count;
-    }
-
-    private synchronized TargetLists lists() {
-        if (lists == null) {
-            lists = new TargetLists(special, spanCount, crossings, neighbours, cells);
-        }
-        return lists;
     }
 
     /**
@@ -311,7 +330,7 @@ public final class Region implements StepRelation {
     }
 
     private boolean takesOff(int q) {
-        return q < spanCount && kinds[q] == Kind.STABLE && (abilities[q] & Ability.WALK.bit()) != 0;
+        return q < spanCount && kind(q) == Kind.STABLE && (abilities(q) & Ability.WALK.bit()) != 0;
     }
 
     /**

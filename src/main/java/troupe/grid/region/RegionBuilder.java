@@ -68,7 +68,7 @@ public final class RegionBuilder {
     private Structure structure() {
         if (structure == null) {
             spans();
-            structure = Structure.of(scene, actor, columns, spans);
+            structure = new Structure(scene, actor, columns, spans);
         }
         return structure;
     }

@@ -56,6 +56,16 @@ final class Solid {
         return obstacle.offset() < floor + actor.bodyHeight() - Column.SAME && obstacle.top() > low + Column.SAME;
     }
 
+    /** Tells whether the solid may hang in the way of a body that vaults from a floor. */
+    boolean hangsAbove(double floor) {
+        return actor.vault().isPresent()
+                && obstacle.offset() >= floor + actor.bodyHeight() - Column.SAME
+                && obstacle.offset()
+                        < floor
+                                + actor.vault().get().maxHeight()
+                                + actor.vault().get().bodyHeight();
+    }
+
     /** Tells whether hands can push off from its top on a vault from a floor. */
     boolean inRange(double floor, Actor.Vault vault) {
         return inRange(obstacle.top(), floor, vault) && obstacle.top() > floor + actor.stepHeight() + Column.SAME;

@@ -1,6 +1,7 @@
 package troupe.grid.region;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import troupe.geometry.Box;
 import troupe.geometry.Polygon;
@@ -32,8 +33,9 @@ final class Solids {
     private final List<Solid> all;
     private final double[] grounds;
     private final List<Integer> walls;
-    private int[] edge;
+    private final int[] edge;
 
+    /** Prepares the questions for given obstacles. Cost O(columns + rims + rows). */
     Solids(Scene scene, Actor actor, Columns columns, Rims rims, List<Solid> all, GridFrame frame) {
         this.scene = scene;
         this.actor = actor;
@@ -54,24 +56,55 @@ final class Solids {
                 walls.add(i);
             }
         }
+        runs.nearEdge(scene.world(), radius);
+        if (touching) {
+            runs.touch(
+                    Polygon.rectangle(0, 0, scene.world().width(), scene.world().depth()));
+        }
+        this.edge = runs.copy();
+    }
+
+    private Solids(Solids other, List<Solid> all) {
+        this.scene = other.scene;
+        this.actor = other.actor;
+        this.columns = other.columns;
+        this.rims = other.rims;
+        this.frame = other.frame;
+        this.runs = new CellRuns(frame);
+        this.radius = other.radius;
+        this.touching = other.touching;
+        this.all = all;
+        this.grounds = other.grounds;
+        this.walls = other.walls;
+        this.edge = other.edge;
+    }
+
+    /** Returns the same questions about other obstacles, with memory of its own. Cost O(1). */
+    Solids about(List<Solid> others) {
+        return new Solids(this, others);
     }
 
     /** Clears the cells of a mask that a solid in the way of a body on {@code floor} comes near. */
     void clearNear(double floor, Window window, byte[] mask) {
-        Window.Stretch clear = (from, to) -> java.util.Arrays.fill(mask, from, to, (byte) 0);
+        Window.Stretch clear = (from, to) -> Arrays.fill(mask, from, to, (byte) 0);
         worldEdge(window);
         window.each(runs, frame, clear);
-        for (Solid solid : all) {
-            if (solid.box().meets(window) && solid.blocks(floor)) {
-                runs.clear();
-                runs.add(solid.barsGaps());
-                window.each(runs, frame, clear);
-            }
-        }
+        clearNearObstacles(floor, window, mask);
         for (int i : walls) {
             if (Math.max(leftGround(i), rightGround(i)) > floor + actor.stepHeight() + Column.SAME) {
                 piece(i);
                 window.each(runs, frame, clear);
+            }
+        }
+    }
+
+    /** Clears the cells of a mask that an obstacle in the way of a body on {@code floor} comes near. */
+    void clearNearObstacles(double floor, Window window, byte[] mask) {
+        for (Solid solid : all) {
+            if (solid.box().meets(window) && solid.blocks(floor)) {
+                runs.clear();
+                runs.add(solid.barsGaps());
+                window.each(runs, frame, (from, to) -> Arrays.fill(mask, from, to, (byte) 0));
             }
         }
     }
@@ -92,14 +125,7 @@ final class Solids {
                 || window.row0() <= margin
                 || window.col0() + window.cols() >= frame.cols() - margin
                 || window.row0() + window.rows() >= frame.rows() - margin;
-        if (near && edge == null) {
-            runs.nearEdge(scene.world(), radius);
-            if (touching) {
-                runs.touch(Polygon.rectangle(
-                        0, 0, scene.world().width(), scene.world().depth()));
-            }
-            edge = runs.copy();
-        } else if (near) {
+        if (near) {
             runs.add(edge);
         }
     }
@@ -148,15 +174,12 @@ final class Solids {
         List<Solid> above = new ArrayList<>();
         List<Solid> inTheWay = new ArrayList<>();
         for (Solid solid : all) {
-            double offset = solid.obstacle().offset();
             if (!solid.box().meets(window) || flat && !meetsAny(solid, low)) {
                 continue;
             }
             if (solid.blocks(floor)) {
                 inTheWay.add(solid);
-            } else if (offset >= floor + actor.bodyHeight() - Column.SAME
-                    && offset < floor + vault.maxHeight() + vault.bodyHeight()
-                    && !solid.inRange(floor, vault)) {
+            } else if (solid.hangsAbove(floor) && !solid.inRange(floor, vault)) {
                 above.add(solid);
             }
         }

@@ -3,6 +3,7 @@ package troupe.grid.region;
 import java.util.Arrays;
 import troupe.geometry.Polygon;
 import troupe.grid.CellRuns;
+import troupe.grid.Window;
 import troupe.grid.layer.Column;
 import troupe.grid.layer.Columns;
 import troupe.grid.layer.Spans;
@@ -84,24 +85,61 @@ final class Standing {
         return any;
     }
 
-    /** Returns the ability bits of each span where movable obstacles stand; a new array. */
-    byte[] abilities(Solid[] movables) {
-        byte[] left = abilities.clone();
-        CellRuns runs = new CellRuns(spans.frame());
-        boolean[] blocked = new boolean[spans.levels()];
-        for (Solid solid : movables) {
-            if (solid != null && blocked(solid, blocked)) {
-                runs.clear();
-                runs.add(solid.cover());
-                take(left, runs, blocked, Ability.WALK.bit());
-                if (actor.sidestep().isPresent()) {
-                    runs.clear();
-                    runs.add(solid.sidestepCover());
-                    take(left, runs, blocked, Ability.SIDESTEP.bit());
+    /** Returns the words of the spans while no movable obstacle is there; steps are not in them yet. */
+    Words words() {
+        return Words.of(abilities, kinds);
+    }
+
+    /** Writes the abilities of the spans over a window of cells anew, with movable obstacles where they stand. */
+    void stand(Solid[] movables, Window window, Words words) {
+        for (int sheet = 0; sheet < spans.sheets(); sheet++) {
+            for (int row = window.row0(); row < window.row0() + window.rows(); row++) {
+                int q = sheet * cells + row * spans.frame().cols() + window.col0();
+                for (int end = q + window.cols(); q < end; q++) {
+                    words.set(q, words.get(q) | abilities[q]);
                 }
             }
         }
-        return left;
+        bar(movables, window, words);
+    }
+
+    /** Takes abilities from the spans over a window of cells that movable obstacles bar. */
+    void bar(Solid[] movables, Window window, Words words) {
+        CellRuns runs = new CellRuns(spans.frame());
+        boolean[] blocked = new boolean[spans.levels()];
+        for (Solid solid : movables) {
+            if (solid != null && solid.box().meets(window) && blocked(solid, blocked)) {
+                runs.clear();
+                runs.add(solid.cover());
+                bar(words, runs, window, blocked, Ability.WALK.bit());
+                if (actor.sidestep().isPresent()) {
+                    runs.clear();
+                    runs.add(solid.sidestepCover());
+                    bar(words, runs, window, blocked, Ability.SIDESTEP.bit());
+                }
+            }
+        }
+    }
+
+    private void bar(Words words, CellRuns runs, Window window, boolean[] blocked, int bit) {
+        int[] at = spans.columnAt();
+        int cols = spans.frame().cols();
+        for (int i = 0; i < runs.size(); i++) {
+            int row = runs.from(i) / cols;
+            if (row < window.row0() || row >= window.row0() + window.rows()) {
+                continue;
+            }
+            int end = Math.min(runs.to(i), row * cols + window.col0() + window.cols());
+            for (int cell = Math.max(runs.from(i), row * cols + window.col0()); cell < end; cell++) {
+                for (int sheet = 0; sheet < spans.sheets(); sheet++) {
+                    int level = spans.level(at[cell], sheet);
+                    if (level >= 0 && blocked[level]) {
+                        int q = sheet * cells + cell;
+                        words.set(q, words.get(q) & ~bit);
+                    }
+                }
+            }
+        }
     }
 
     /** Gives every span its kind and the abilities whose bodies fit under its ceiling. */
@@ -232,10 +270,6 @@ final class Standing {
 
     /** Takes an ability from the spans of the runs' cells whose floor is one of the blocked levels. */
     private void take(CellRuns runs, boolean[] blocked, int bit) {
-        take(abilities, runs, blocked, bit);
-    }
-
-    private void take(byte[] abilities, CellRuns runs, boolean[] blocked, int bit) {
         int[] at = spans.columnAt();
         int sheets = spans.sheets();
         for (int i = 0; i < runs.size(); i++) {
@@ -263,29 +297,5 @@ final class Standing {
     /** Returns the kind of each span, forbidden where it is over a drop; the array itself. */
     byte[] kinds() {
         return kinds;
-    }
-
-    /** Returns given ability bits of each span and then those of each crossing. */
-    static byte[] abilities(byte[] abilities, Crossings crossings) {
-        byte[] all = Arrays.copyOf(abilities, abilities.length + crossings.size());
-        for (int i = 0; i < crossings.size(); i++) {
-            Ability ability = crossings.kind(i) == Kind.GAP ? Ability.STRIDE : Ability.VAULT;
-            all[abilities.length + i] = (byte) ability.bit();
-        }
-        return all;
-    }
-
-    /** Returns the kind of each span, forbidden also where no ability has room, and then of each crossing. */
-    byte[] kinds(Crossings crossings) {
-        byte[] all = Arrays.copyOf(kinds, kinds.length + crossings.size());
-        for (int q = 0; q < kinds.length; q++) {
-            if (abilities[q] == 0 && kinds[q] != Kind.ABSENT) {
-                all[q] = Kind.FORBIDDEN;
-            }
-        }
-        for (int i = 0; i < crossings.size(); i++) {
-            all[kinds.length + i] = crossings.kind(i);
-        }
-        return all;
     }
 }

@@ -1,7 +1,9 @@
 package troupe.grid.region;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.Objects;
 import troupe.geometry.Polygon;
 import troupe.grid.layer.Columns;
 import troupe.grid.layer.Spans;
@@ -11,28 +13,81 @@ import troupe.scene.Scene;
 
 /**
  * Holds what all regions of one actor in one scene have in common, wherever its movable obstacles stand:
- * columns, spans, rims, what the actor can do on each span while no movable obstacle is there. Immutable.
+ * columns, spans, rims, how one stands on each span and what can be crossed while none of them is there.
+ * Immutable to those who use it; safe for any thread.
  */
-record Structure(Scene scene, Actor actor, Columns columns, Spans spans, Standing standing, Solid[] fixed) {
+final class Structure {
+    private final Scene scene;
+    private final Actor actor;
+    private final Columns columns;
+    private final Spans spans;
+    private final Solid[] immovable;
+    private final Standing standing;
+    private final Solids fixed;
+    private final CrossingSurvey survey;
 
-    /** Classifies the spans of a scene as if its movable obstacles were not there. */
-    static Structure of(Scene scene, Actor actor, Columns columns, Spans spans) {
-        Solid[] fixed = new Solid[scene.obstacles().size()];
-        for (int i = 0; i < fixed.length; i++) {
+    /** Classifies the spans of a scene as if its movable obstacles were not there. Cost O(cells + edges). */
+    Structure(Scene scene, Actor actor, Columns columns, Spans spans) {
+        this.scene = scene;
+        this.actor = actor;
+        this.columns = columns;
+        this.spans = spans;
+        this.immovable = new Solid[scene.obstacles().size()];
+        for (int i = 0; i < immovable.length; i++) {
             Obstacle obstacle = scene.obstacles().get(i);
-            fixed[i] = obstacle.movable() ? null : new Solid(obstacle, actor, spans.frame());
+            immovable[i] = obstacle.movable() ? null : new Solid(obstacle, actor, spans.frame());
         }
-        Standing standing = new Standing(scene, actor, columns, spans, fixed);
+        this.standing = new Standing(scene, actor, columns, spans, immovable);
         standing.bodies();
         standing.feet();
-        return new Structure(scene, actor, columns, spans, standing, fixed);
+        if (crosses()) {
+            this.fixed = new Solids(scene, actor, columns, standing.rims(), present(immovable), spans.frame());
+            this.survey = new CrossingSurvey(scene, actor, columns, spans, standing, fixed.about(present(immovable)));
+        } else {
+            this.fixed = null;
+            this.survey = null;
+        }
+    }
+
+    /** Tells whether the actor can stride or vault at all; only then there are {@link #fixed} and {@link #survey}. */
+    boolean crosses() {
+        return actor.stride().isPresent() || actor.vault().isPresent();
+    }
+
+    Scene scene() {
+        return scene;
+    }
+
+    Actor actor() {
+        return actor;
+    }
+
+    Columns columns() {
+        return columns;
+    }
+
+    Spans spans() {
+        return spans;
+    }
+
+    Standing standing() {
+        return standing;
+    }
+
+    /** Returns the questions about the immovable obstacles, for other obstacles to be asked by {@link Solids#about}. */
+    Solids fixed() {
+        return fixed;
+    }
+
+    CrossingSurvey survey() {
+        return survey;
     }
 
     /** Returns for each obstacle of the scene a movable one at its own outline, null for the others; a new array. */
     Solid[] movables() {
-        Solid[] movables = new Solid[fixed.length];
-        for (int i = 0; i < fixed.length; i++) {
-            if (fixed[i] == null) {
+        Solid[] movables = new Solid[immovable.length];
+        for (int i = 0; i < immovable.length; i++) {
+            if (immovable[i] == null) {
                 movables[i] = new Solid(scene.obstacles().get(i), actor, spans.frame());
             }
         }
@@ -50,9 +105,9 @@ record Structure(Scene scene, Actor actor, Columns columns, Spans spans, Standin
      * @throws IllegalArgumentException if there is no obstacle of that index, or it is immovable
      */
     Obstacle movable(int obstacle) {
-        if (obstacle < 0 || obstacle >= fixed.length || fixed[obstacle] != null) {
+        if (obstacle < 0 || obstacle >= immovable.length || immovable[obstacle] != null) {
             throw new IllegalArgumentException("obstacle " + obstacle + "; needs the index of a movable one of the "
-                    + fixed.length + " obstacles");
+                    + immovable.length + " obstacles");
         }
         return scene.obstacles().get(obstacle);
     }
@@ -60,13 +115,18 @@ record Structure(Scene scene, Actor actor, Columns columns, Spans spans, Standin
     /** Returns everything that stands in the scene: the immovable obstacles and the movable ones that are there. */
     List<Solid> solids(Solid[] movables) {
         List<Solid> solids = new ArrayList<>();
-        for (int i = 0; i < fixed.length; i++) {
-            if (fixed[i] != null) {
-                solids.add(fixed[i]);
+        for (int i = 0; i < immovable.length; i++) {
+            if (immovable[i] != null) {
+                solids.add(immovable[i]);
             } else if (movables[i] != null) {
                 solids.add(movables[i]);
             }
         }
         return solids;
+    }
+
+    /** Returns the solids that are there. */
+    static List<Solid> present(Solid[] solids) {
+        return Arrays.stream(solids).filter(Objects::nonNull).toList();
     }
 }
