@@ -99,7 +99,8 @@ final class Ground {
         return kept.stream().mapToDouble(f -> f).toArray();
     }
 
-    private int level(double elevation) {
+    /** Returns the number of a floor's elevation among {@link #levels}. */
+    int level(double elevation) {
         int level = 0;
         while (Math.abs(levels[level] - elevation) > SAME) {
             level++;
