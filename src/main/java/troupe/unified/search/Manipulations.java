@@ -1,6 +1,7 @@
 package troupe.unified.search;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.BitSet;
 import java.util.Collections;
 import java.util.HashMap;
@@ -103,19 +104,26 @@ final class Manipulations {
      * none if it can. Each has a place in the guiding region, because it is a span.
      */
     int[] wanted(SearchSpace space, int configuration) {
+        int[] all = NOTHING;
         for (int m = 0; m < near.length; m++) {
             int point = point(space, m, configuration);
-            if (point >= 0) {
-                TriggerTable table = space.triggers(m);
-                if (table.leader(point) == TriggerTable.UNKNOWN) {
-                    return table.points();
-                }
-                if (table.leader(point) >= 0 && table.attempt(table.leader(point)) == TriggerTable.UNKNOWN) {
-                    return new int[] {table.points()[table.leader(point)]};
-                }
+            int[] points = point < 0 ? NOTHING : wanted(space.triggers(m), point);
+            if (points.length > 0) {
+                int count = all.length;
+                all = Arrays.copyOf(all, count + points.length);
+                System.arraycopy(points, 0, all, count, points.length);
             }
         }
-        return NOTHING;
+        return all;
+    }
+
+    private static int[] wanted(TriggerTable table, int point) {
+        int leader = table.leader(point);
+        if (leader == TriggerTable.UNKNOWN) {
+            return table.points();
+        }
+        boolean isNew = leader >= 0 && table.attempt(leader) == TriggerTable.UNKNOWN;
+        return isNew ? new int[] {table.points()[leader]} : NOTHING;
     }
 
     /** Fills {@code found} with the numbers of the attempts that begin at a configuration; returns how many there are. */

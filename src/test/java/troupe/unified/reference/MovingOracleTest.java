@@ -1,19 +1,20 @@
 package troupe.unified.reference;
 
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assertions.fail;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.ConcurrentSkipListMap;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicIntegerArray;
+import java.util.function.LongConsumer;
 import java.util.stream.LongStream;
 import org.junit.jupiter.api.Test;
-import troupe.run.Run;
 import troupe.scene.Ability;
 import troupe.scene.Journey;
 import troupe.scene.Obstacle;
+import troupe.scene.Ordering;
 import troupe.scene.Preferences;
 import troupe.scene.Scene;
 import troupe.scene.SceneXml;
@@ -25,12 +26,13 @@ import troupe.unified.JourneyEngine;
  */
 class MovingOracleTest {
     private static final long FIRST_SEED = Long.getLong("troupe.seed", 1);
+    private static final int SCENES = Integer.getInteger("troupe.scenes", 500);
     private static final double TOLERANCE = 1e-6;
 
     @Test
     void wayAndCostAreTheSameWhereNothingCanBeMoved() {
         AtomicIntegerArray solved = new AtomicIntegerArray(2);
-        LongStream.range(FIRST_SEED, FIRST_SEED + 400).parallel().forEach(seed -> {
+        each(400, seed -> {
             Scene scene = fixed(MovingWorlds.scene(seed, Journey.Manipulation.FREE));
             Answer answer = compare(seed, scene);
             solved.incrementAndGet(answer.isSolved() ? 1 : 0);
@@ -39,8 +41,37 @@ class MovingOracleTest {
     }
 
     @Test
+    void leastCostIsFoundWhateverHasToBeMoved() {
+        AtomicIntegerArray moved = new AtomicIntegerArray(4);
+        AtomicInteger unsolved = new AtomicInteger();
+        each(SCENES, seed -> {
+            Answer answer = compare(seed, MovingWorlds.scene(seed, manipulation(seed), false));
+            moved.incrementAndGet(Math.min(3, answer.moved().size()));
+            unsolved.addAndGet(answer.isSolved() ? 0 : 1);
+        });
+        String found = unsolved + " unsolved; moved none, one, two, more: " + moved;
+        assertTrue(moved.get(1) > SCENES / 5 && moved.get(2) > SCENES / 20 && unsolved.get() > SCENES / 20, found);
+    }
+
+    @Test
+    void theBoundedOrderingStaysWithinItsWeight() {
+        each(200, seed -> {
+            Scene scene = MovingWorlds.scene(seed, manipulation(seed), false);
+            Journey journey = (Journey) scene.tasks().get(0);
+            double least = ExhaustivePlanner.solve(scene, journey).cost();
+            double weight = seed % 3 == 0 ? 4 : 1.3;
+            double cost = cost(scene, journey.with(new Ordering.Bounded(weight)));
+            boolean within = cost >= least * (1 - TOLERANCE) && cost <= weight * least * (1 + TOLERANCE);
+            if (!within && cost != least) {
+                throw new AssertionError("seed " + seed + ": the planner's cost is " + cost + " with weight " + weight
+                        + ", the least is " + least + "\n" + SceneXml.write(scene));
+            }
+        });
+    }
+
+    @Test
     void movableObstaclesAreInTheWayWhereMovingIsSwitchedOff() {
-        LongStream.range(FIRST_SEED, FIRST_SEED + 200).parallel().forEach(seed -> {
+        each(200, seed -> {
             Scene scene = MovingWorlds.scene(seed, Journey.Manipulation.FREE);
             Journey journey = (Journey) scene.tasks().get(0);
             compare(seed, scene.with(journey.preferring(journey.preferences().with(Ability.MOVE, Preferences.OFF))));
@@ -50,7 +81,7 @@ class MovingOracleTest {
     @Test
     void theBoundOnTheCostToGoIsNoneTooHighInAnySpace() {
         AtomicInteger checked = new AtomicInteger();
-        LongStream.range(FIRST_SEED, FIRST_SEED + 150).parallel().forEach(seed -> {
+        each(150, seed -> {
             Journey.Manipulation manipulation = manipulation(seed);
             Scene scene = MovingWorlds.scene(seed, manipulation);
             ExhaustivePlanner planner =
@@ -77,17 +108,38 @@ class MovingOracleTest {
         return new Scene(scene.title(), scene.world(), left, scene.ditches(), scene.actors(), scene.tasks());
     }
 
+    /** Returns the cost of the planner's way, infinite if it finds none. */
+    static double cost(Scene scene, Journey journey) {
+        Map<String, Object> report =
+                JourneyEngine.of(scene, journey).finish().report().values();
+        return (boolean) report.get("solved") ? (double) report.get("cost") : Double.POSITIVE_INFINITY;
+    }
+
     private static Answer compare(long seed, Scene scene) {
         Journey journey = (Journey) scene.tasks().get(0);
         Answer answer = ExhaustivePlanner.solve(scene, journey);
-        Run run = JourneyEngine.of(scene, journey).finish();
-        Map<String, Object> report = run.report().values();
-        double cost = (boolean) report.get("solved") ? (double) report.get("cost") : Double.POSITIVE_INFINITY;
+        double cost = cost(scene, journey);
         boolean same = cost == answer.cost() || Math.abs(cost - answer.cost()) <= TOLERANCE * answer.cost();
         if (!same) {
-            fail("seed " + seed + ": the planner's cost is " + cost + ", moved " + report.get("moved")
-                    + ", the least is " + answer + "\n" + SceneXml.write(scene));
+            throw new AssertionError("seed " + seed + ": the planner's cost is " + cost + ", the least is " + answer
+                    + "\n" + SceneXml.write(scene));
         }
         return answer;
+    }
+
+    /** Compares many seeds and fails with all those that differ, the first of them in full. */
+    private static void each(int seeds, LongConsumer comparison) {
+        ConcurrentSkipListMap<Long, AssertionError> wrong = new ConcurrentSkipListMap<>();
+        LongStream.range(FIRST_SEED, FIRST_SEED + seeds).parallel().forEach(seed -> {
+            try {
+                comparison.accept(seed);
+            } catch (AssertionError difference) {
+                wrong.put(seed, difference);
+            }
+        });
+        if (!wrong.isEmpty()) {
+            throw new AssertionError(
+                    "seeds " + wrong.keySet() + " differ", wrong.firstEntry().getValue());
+        }
     }
 }

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
+import java.util.Set;
 import troupe.geometry.Polygon;
 import troupe.scene.Ability;
 import troupe.scene.Actor;
@@ -36,11 +37,17 @@ final class MovingWorlds {
         depth = 1.8 + 1.2 * random.nextDouble();
     }
 
-    /** Makes a scene with one actor and one journey through it. */
+    /** Makes a scene with one actor, who may be able to vault, and one journey through it. */
     static Scene scene(long seed, Journey.Manipulation manipulation) {
+        return scene(seed, manipulation, true);
+    }
+
+    /** Makes a scene with one actor and one journey through it. */
+    static Scene scene(long seed, Journey.Manipulation manipulation, boolean vaults) {
         MovingWorlds made = new MovingWorlds(seed);
         made.build();
-        Actor actor = made.actor();
+        Actor whole = made.actor();
+        Actor actor = vaults ? whole : whole.without(Set.of(Ability.VAULT));
         Scene bare = new Scene(
                 "",
                 new World(made.width, made.depth, made.cell),

@@ -60,7 +60,9 @@ class ReferenceTest {
     private Answer solve(double width, double depth, Journey journey) {
         Scene scene =
                 new Scene("", new World(width, depth, 0.25), obstacles, List.of(), List.of(actor()), List.of(journey));
-        return ExhaustivePlanner.solve(scene, journey);
+        Answer answer = ExhaustivePlanner.solve(scene, journey);
+        assertEquals(answer.cost(), MovingOracleTest.cost(scene, journey), TOLERANCE, "the planner");
+        return answer;
     }
 
     private static Journey free(double fromX, double toX) {
