@@ -20,7 +20,7 @@ import troupe.scene.World;
  * Makes seeded worlds of a dozen cells a side whose walls have doorways with crates in them, at coordinates so
  * random that no two distances are the same, and now and then a low wall, a ditch, a platform or a loaded crate.
  */
-final class MovingWorlds {
+public final class MovingWorlds {
     private static final double WALL = 2.4;
 
     private final Random random;
@@ -38,12 +38,12 @@ final class MovingWorlds {
     }
 
     /** Makes a scene with one actor, who may be able to vault, and one journey through it. */
-    static Scene scene(long seed, Journey.Manipulation manipulation) {
+    public static Scene scene(long seed, Journey.Manipulation manipulation) {
         return scene(seed, manipulation, true);
     }
 
     /** Makes a scene with one actor and one journey through it. */
-    static Scene scene(long seed, Journey.Manipulation manipulation, boolean vaults) {
+    public static Scene scene(long seed, Journey.Manipulation manipulation, boolean vaults) {
         MovingWorlds made = new MovingWorlds(seed);
         made.build();
         Actor whole = made.actor();

@@ -5,7 +5,7 @@ import java.util.List;
 import troupe.geometry.Polygon;
 
 /** Measures polygons the slow way: by their edges one by one, and by the triangles that they are cut into. */
-final class Shapes {
+public final class Shapes {
     private Shapes() {}
 
     /** Tells whether a point is inside: it is to the left of an odd number of edges that pass its height. */
@@ -34,7 +34,7 @@ final class Shapes {
     }
 
     /** Returns the distance from a point to a filled polygon, 0 inside. */
-    static double distance(Polygon p, double x, double y) {
+    public static double distance(Polygon p, double x, double y) {
         double least = inside(p, x, y) ? 0 : Double.POSITIVE_INFINITY;
         for (int i = 0; i < p.size() && least > 0; i++) {
             int j = (i + 1) % p.size();
@@ -202,7 +202,7 @@ final class Shapes {
     }
 
     /** Tells whether two polygons share area: two of their triangles overlap by more than {@code slack} metres. */
-    static boolean overlap(Polygon a, Polygon b, double slack) {
+    public static boolean overlap(Polygon a, Polygon b, double slack) {
         for (double[] t : triangles(a)) {
             for (double[] u : triangles(b)) {
                 if (apart(t, 0, 0, u) < -slack) {

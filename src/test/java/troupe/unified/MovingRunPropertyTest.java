@@ -1,0 +1,84 @@
+package troupe.unified;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicIntegerArray;
+import java.util.stream.LongStream;
+import org.junit.jupiter.api.Test;
+import troupe.run.Digest;
+import troupe.run.Run;
+import troupe.scene.Actor;
+import troupe.scene.Journey;
+import troupe.scene.Scene;
+import troupe.unified.reference.MovingWorlds;
+
+/**
+ * Plans journeys through random worlds whose doorways are barred by something movable, and replays every frame
+ * and every move on the polygons. {@code -Dtroupe.seed=N} starts at another seed.
+ */
+class MovingRunPropertyTest {
+    private static final long FIRST_SEED = Long.getLong("troupe.seed", 10_001);
+    private static final int WORLDS = 300;
+    private static final int SLICED = 40;
+
+    private static Scene scene(long seed) {
+        Journey.Manipulation manipulation = seed % 2 == 0 ? Journey.Manipulation.FREE : Journey.Manipulation.GRIP;
+        Scene scene = MovingWorlds.scene(seed, manipulation);
+        Journey journey = journey(scene);
+        return seed % 5 == 0 ? scene.with(journey.withHeadings(24)) : scene;
+    }
+
+    private static Journey journey(Scene scene) {
+        return (Journey) scene.tasks().get(0);
+    }
+
+    @Test
+    void whatIsMovedMeetsNothingAndNeitherDoesWhoMovesIt() {
+        AtomicInteger solved = new AtomicInteger();
+        AtomicIntegerArray moved = new AtomicIntegerArray(4);
+        LongStream.range(FIRST_SEED, FIRST_SEED + WORLDS).parallel().forEach(seed -> {
+            String which = "seed " + seed;
+            Scene scene = scene(seed);
+            JourneyEngine engine = JourneyEngine.of(scene, journey(scene));
+            Run run = engine.finish();
+            if (run.outcome().isFound()) {
+                solved.incrementAndGet();
+                Actor actor = scene.actors().get(0);
+                RunCheck.assertCollisionFree(run, actor, which);
+                PushCheck.assertFree(run, actor, engine.path().orElseThrow(), which);
+                double energy = run.legs().stream().mapToDouble(Run.Leg::energy).sum();
+                assertEquals(engine.path().orElseThrow().energy(), energy, 1e-6, which);
+                int pushes = engine.path().orElseThrow().pushes().size();
+                moved.incrementAndGet(Math.min(3, pushes));
+            }
+        });
+        assertTrue(solved.get() > WORLDS / 3, solved + " of " + WORLDS);
+        assertTrue(moved.get(1) > WORLDS / 10 && moved.get(2) > 0, "runs that move 0, 1, 2, more: " + moved);
+    }
+
+    @Test
+    void slicesChangeNoCostAndBudgetsNothing() {
+        LongStream.range(FIRST_SEED, FIRST_SEED + SLICED).parallel().forEach(seed -> {
+            Scene scene = scene(seed);
+            List<Double> costs = new ArrayList<>();
+            for (int slice : new int[] {1, 100, 2_000, Integer.MAX_VALUE}) {
+                Journey journey = journey(scene).limited(slice, Journey.DEFAULT_EXPANSIONS);
+                String which = "seed " + seed + ", slice " + slice;
+                Run whole = JourneyEngine.of(scene, journey).finish();
+                costs.add((double) whole.report().values().get("cost"));
+                JourneyEngine bit = JourneyEngine.of(scene, journey);
+                long budget = 1;
+                while (bit.step(budget).isRunning()) {
+                    budget = budget * 5 % 389;
+                }
+                assertEquals(whole.outcome(), bit.outcome(), which);
+                assertEquals(Digest.of(whole.frames()), Digest.of(bit.run().frames()), which);
+                assertEquals(costs.get(0), costs.get(costs.size() - 1), 1e-9, which);
+            }
+        });
+    }
+}
