@@ -30,7 +30,7 @@ import troupe.work.Tasks;
 @Measurement(iterations = 5, time = 1)
 public class JourneyBench {
     /** Name of the scene. */
-    @Param({"courtyard", "layers", "apartment"})
+    @Param({"courtyard", "layers", "apartment", "two-ways", "chain"})
     public String scene;
 
     private Scene optimal;
