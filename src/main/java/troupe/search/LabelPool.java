@@ -76,7 +76,7 @@ public final class LabelPool {
     }
 
     private void grow() {
-        int capacity = Math.addExact(size, size);
+        int capacity = Math.addExact(size, size / 2 + 1);
         spaces = Arrays.copyOf(spaces, capacity);
         states = Arrays.copyOf(states, capacity);
         parents = Arrays.copyOf(parents, capacity);

@@ -5,48 +5,44 @@ import troupe.search.LabelPool;
 
 /**
  * Keeps the first label of each configuration of one search space, in pages that are taken when they are
- * first written, so that a space of which little is searched costs little. A generation stamp takes the place
- * of clearing. Used by one thread at a time.
+ * first written, so that a space of which little is searched costs little. A table that is used again clears a
+ * page when it is first written in a new generation. Used by one thread at a time.
  */
 final class ChainTable {
     private static final int BITS = 9;
     private static final int PAGE = 1 << BITS;
     private static final int WITHIN = PAGE - 1;
 
-    private final int[][] first;
-    private final int[][] stamps;
+    private final int[][] pages;
+    private final int[] generations;
 
     /** Makes the table of {@code size} configurations; none has a label. */
     ChainTable(int size) {
-        first = new int[(size + PAGE - 1) >> BITS][];
-        stamps = new int[first.length][];
+        pages = new int[(size + PAGE - 1) >> BITS][];
+        generations = new int[pages.length];
     }
 
-    /** Returns the first label of a configuration, {@link LabelPool#NONE} if it got none in this generation. */
+    /** Returns the first label of a configuration, {@link LabelPool#NONE} if it got none in this generation, from 1. */
     int first(int configuration, int generation) {
-        int[] page = stamps[configuration >> BITS];
-        return page == null || page[configuration & WITHIN] != generation
-                ? LabelPool.NONE
-                : first[configuration >> BITS][configuration & WITHIN];
+        int page = configuration >> BITS;
+        return generations[page] == generation ? pages[page][configuration & WITHIN] : LabelPool.NONE;
     }
 
     /** Sets the first label of a configuration. */
     void put(int configuration, int generation, int label) {
-        int number = configuration >> BITS;
-        if (stamps[number] == null) {
-            stamps[number] = new int[PAGE];
-            first[number] = new int[PAGE];
+        int page = configuration >> BITS;
+        if (generations[page] != generation) {
+            if (pages[page] == null) {
+                pages[page] = new int[PAGE];
+            }
+            Arrays.fill(pages[page], LabelPool.NONE);
+            generations[page] = generation;
         }
-        stamps[number][configuration & WITHIN] = generation;
-        first[number][configuration & WITHIN] = label;
+        pages[page][configuration & WITHIN] = label;
     }
 
     /** Forgets everything, whatever the generation; keeps the memory. */
     void clear() {
-        for (int[] page : stamps) {
-            if (page != null) {
-                Arrays.fill(page, 0);
-            }
-        }
+        Arrays.fill(generations, 0);
     }
 }
