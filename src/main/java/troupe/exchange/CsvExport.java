@@ -38,7 +38,7 @@ public final class CsvExport implements StreamExporter {
     @Override
     public void write(Run run, ExportSettings settings, OutputStream out) throws IOException, ExchangeException {
         Frames frames = run.frames();
-        List<Track> tracks = Track.of(frames);
+        List<Track> tracks = Track.of(run);
         check(run, tracks);
         out.write(HEADER.getBytes(StandardCharsets.UTF_8));
         for (int frame = 0; frame < frames.count(); frame++) {

@@ -8,6 +8,7 @@ import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Line2D;
+import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.geom.RoundRectangle2D;
 import java.awt.image.BufferedImage;
@@ -24,9 +25,13 @@ import troupe.scene.Ability;
  * Explains the lines, colours and patterns of a picture: a card of samples with words, in rows. Immutable.
  */
 public final class Legend {
-    /** The words as they are, with a longer one for moving. */
-    public static final UnaryOperator<String> ENGLISH =
-            word -> word.equals("move") ? "move an obstacle" : word.replace('-', ' ');
+    /** The words as they are, with longer ones for moving. */
+    public static final UnaryOperator<String> ENGLISH = word -> switch (word) {
+        case "move" -> "move an obstacle";
+        case "moved-way" -> "way of what is moved";
+        case "moved-from" -> "where it stood";
+        default -> word.replace('-', ' ');
+    };
 
     private static final int ROW = 22;
     private static final int PAD_X = 12;
@@ -74,6 +79,10 @@ public final class Legend {
                 }
             }
         }
+        if (run != null && Moved.any(run)) {
+            entries.add(line(theme.color(Tone.MOVE), RunPainter.wayStroke(), words.apply("moved-way")));
+            entries.add(ghost(theme, words.apply("moved-from")));
+        }
         for (Overlay overlay : overlays) {
             List<Entry> more = new ArrayList<>();
             addOverlay(more, overlay, filled, theme, words);
@@ -91,6 +100,16 @@ public final class Legend {
             g.draw(new Line2D.Double(2, 0, SAMPLE - 2, 0));
         };
         return new Entry(sample, SAMPLE, text);
+    }
+
+    private static Entry ghost(Theme theme, String text) {
+        Sample sample = g -> ScenePainter.paintTrace(
+                g,
+                theme,
+                ObstacleLook.Trace.LEFT,
+                new Path2D.Double(new Rectangle2D.Double(1, -7, 20, 14)),
+                theme.color(Tone.WOOD));
+        return new Entry(sample, 22, text);
     }
 
     private static void addOverlay(

@@ -14,14 +14,22 @@ import troupe.scene.Obstacle;
  *
  * @param hanging nothing carries its centre, so that there is room below: drawn see-through
  * @param stair it touches another that is up to a step higher or lower: drawn as part of a stair
+ * @param trace whether it stands there, or only has stood or is going to
  */
-record ObstacleLook(Obstacle obstacle, boolean hanging, boolean stair) {
+record ObstacleLook(Obstacle obstacle, boolean hanging, boolean stair, Trace trace) {
     private static final double TOUCH = 0.02;
     private static final double STEP = 0.3;
     private static final double LOW_FROM = 0.3;
     private static final double LOW_TO = 1.3;
     private static final double FULL = 1.9;
     private static final double STAIR = 2.6;
+
+    /** Whether an obstacle stands where it is drawn: it does, a run has moved it away, or a run moves it there. */
+    enum Trace {
+        NONE,
+        LEFT,
+        AHEAD
+    }
 
     /** Returns the looks of all obstacles, lowest top first, equal tops in document order. Cost O(n log n) on usual scenes. */
     static List<ObstacleLook> of(List<Obstacle> obstacles) {
@@ -56,7 +64,7 @@ record ObstacleLook(Obstacle obstacle, boolean hanging, boolean stair) {
         for (int i = 0; i < n; i++) {
             Obstacle obstacle = obstacles.get(i);
             boolean hanging = obstacle.offset() > 0 && !carried[i];
-            looks.add(new ObstacleLook(obstacle, hanging, stair[i] && !hanging));
+            looks.add(new ObstacleLook(obstacle, hanging, stair[i] && !hanging, Trace.NONE));
         }
         looks.sort(Comparator.comparingDouble(l -> l.obstacle.top()));
         return looks;
@@ -70,6 +78,11 @@ record ObstacleLook(Obstacle obstacle, boolean hanging, boolean stair) {
     private static boolean steps(Obstacle a, Obstacle b) {
         double difference = Math.abs(a.top() - b.top());
         return difference > 1e-6 && difference <= STEP && !a.movable() && !b.movable();
+    }
+
+    /** Tells whether it stands there. */
+    boolean solid() {
+        return trace == Trace.NONE;
     }
 
     /** Tells whether its height is worth a number: low, or hanging. */

@@ -145,18 +145,24 @@ public record Picture(
 
     /** Paints the picture laid out for {@code width} pixels; its height is that of {@link #size}. */
     public void paint(Graphics2D graphics, int width) {
-        paint(graphics, width, true);
-        paintMoving(graphics, width, time);
+        Optional<RunPainter> painter = runPainter();
+        paint(graphics, width, painter, time, true);
+        paintMoving(graphics, width, painter, time);
     }
 
-    /** Paints the picture without the actors. */
-    void paintStill(Graphics2D graphics, int width) {
-        paint(graphics, width, false);
+    /** Returns the painter of the run, if there is one. */
+    Optional<RunPainter> runPainter() {
+        return run.map(r -> new RunPainter(r, theme));
+    }
+
+    /** Paints the picture as it stands at {@code seconds}, without the actors. */
+    void paintStill(Graphics2D graphics, int width, Optional<RunPainter> painter, double seconds) {
+        paint(graphics, width, painter, seconds, false);
     }
 
     /** Paints the actors as they stand at {@code seconds}. */
-    void paintMoving(Graphics2D graphics, int width, double seconds) {
-        run.ifPresent(r -> new RunPainter(r, theme).paintActors(graphics, view(width), seconds));
+    void paintMoving(Graphics2D graphics, int width, Optional<RunPainter> painter, double seconds) {
+        painter.ifPresent(p -> p.paintActors(graphics, view(width), seconds));
     }
 
     /** Returns the pixels that the world takes in a picture of the given width. */
@@ -193,21 +199,26 @@ public record Picture(
         return Viewport.fit(world, MARGIN, MARGIN, size.width - 2.0 * MARGIN, height);
     }
 
-    private void paint(Graphics2D graphics, int width, boolean avoidActors) {
+    private void paint(
+            Graphics2D graphics, int width, Optional<RunPainter> runPainter, double seconds, boolean avoidActors) {
         Dimension size = size(width);
         Graphics2D g = Shapes.smooth(graphics);
         g.setColor(theme.color(Tone.CANVAS));
         g.fillRect(0, 0, size.width, size.height);
         Viewport view = view(width);
-        paintScene(g, width, avoidActors);
+        paintScene(g, width, runPainter, seconds, avoidActors);
         legend().paint(g, MARGIN, size.height - MARGIN - footer(width), legendWidth(width));
         ScaleBar.paint(g, view, theme, size.width - MARGIN - 2, size.height - MARGIN - 2);
         g.dispose();
     }
 
-    private void paintScene(Graphics2D g, int width, boolean avoidActors) {
+    private void paintScene(
+            Graphics2D g, int width, Optional<RunPainter> runPainter, double seconds, boolean avoidActors) {
         Viewport view = view(width);
-        ScenePainter painter = new ScenePainter(scene, theme).upTo(elevation);
+        ScenePainter painter = runPainter
+                .map(p -> p.scene(scene, seconds))
+                .orElseGet(() -> new ScenePainter(scene, theme))
+                .upTo(elevation);
         Labels labels = new Labels();
         painter.paintGround(g, view);
         painter.paintObstacles(g, view);
@@ -229,11 +240,10 @@ public record Picture(
             }
         }
         inside.dispose();
-        Optional<RunPainter> runPainter = run.map(r -> new RunPainter(r, theme));
         runPainter.ifPresent(p -> {
             p.paintLegs(g, view);
             p.paintEnds(g, view);
-            p.takeRoom(labels, view, avoidActors ? time : Double.NaN);
+            p.takeRoom(labels, view, avoidActors ? seconds : Double.NaN);
         });
         if (run.isEmpty() && scene.tasks().stream().findFirst().orElse(null) instanceof Journey journey) {
             TaskPainter.paint(g, scene, journey, view, theme);

@@ -12,40 +12,70 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
+import troupe.geometry.Point;
+import troupe.geometry.Polygon;
+import troupe.geometry.Pose;
 import troupe.run.Run;
 import troupe.scene.Ability;
 import troupe.scene.Actor;
 import troupe.scene.Journey;
+import troupe.scene.Obstacle;
+import troupe.scene.Scene;
 
 /**
  * Paints a run: its legs in the colour and line style of their abilities, a pill with the word where the
- * ability is not walking, the ends of the task, and the actors at a time. What passes below something that
- * hangs is drawn faintly. Immutable; serves any thread.
+ * ability is not walking, the ends of the task, and the actors at a time, with arms to what they hold. What
+ * passes below something that hangs is drawn faintly. Moved obstacles are painted with the scene, by the painter
+ * that {@link #scene} gives; of them this one paints the ways of their centroids. Immutable; serves any thread.
  */
 public final class RunPainter {
     private static final double COVERED_OPACITY = 0.4;
     private static final double LEAST_RADIUS = 8;
+    /** Seconds: a frame may lie so far outside the leg that it shows. */
+    private static final double SAME_TIME = 0.05;
 
     private final Run run;
     private final Theme theme;
     private final Cover cover;
+    private final Moved moved;
     private final List<Track> tracks;
+    private final boolean gripping;
     private final List<Drawn> legs;
 
     private record Drawn(Optional<Ability> ability, List<Cover.Part> parts) {}
 
-    /** Makes a painter of a run. Cost O(points of its legs). */
+    /** Makes a painter of a run. Cost O(points of its legs + frames in which something is moved). */
     public RunPainter(Run run, Theme theme) {
         this.run = run;
         this.theme = theme;
         this.cover = new Cover(run.scene());
-        this.tracks = Track.of(run.frames());
+        this.moved = new Moved(run);
+        this.tracks = Track.of(run).stream()
+                .filter(track -> run.scene().obstacle(track.owner()).isEmpty())
+                .toList();
+        this.gripping = run.scene().task(run.task()).orElse(null) instanceof Journey journey
+                && journey.manipulation() == Journey.Manipulation.GRIP;
         this.legs = run.legs().stream()
                 .map(leg -> new Drawn(Track.ability(leg.ability()), cover.parts(leg.points())))
                 .toList();
     }
 
-    /** Paints everything as it stands at {@code time} seconds. */
+    /**
+     * Returns a painter of a scene as it stands at {@code time} seconds of the run: moved obstacles at their
+     * poses, pale traces where they have left, outlines where they are going to stand. The scene is that of the
+     * run or a later state of it; an obstacle whose outline has been edited is shown as it is now.
+     */
+    public ScenePainter scene(Scene shown, double time) {
+        int frame = Track.frameAt(run.frames(), time);
+        return new ScenePainter(moved.scene(shown, frame), theme).tracing(moved.traces(shown, frame));
+    }
+
+    /** Returns the poses of the moved obstacles at {@code time} seconds; while they are equal, so is what {@link #scene} shows. */
+    public List<Pose> poses(double time) {
+        return moved.poses(Track.frameAt(run.frames(), time));
+    }
+
+    /** Paints what the run adds to the scene as it stands at {@code time} seconds. */
     public void paint(Graphics2D g, Viewport view, double time) {
         paintLegs(g, view);
         paintEnds(g, view);
@@ -55,10 +85,18 @@ public final class RunPainter {
         paintActors(g, view, time);
     }
 
-    /** Paints the legs. */
+    /** Paints the legs, and the ways of what is moved. */
     public void paintLegs(Graphics2D graphics, Viewport view) {
         Graphics2D g = Shapes.smooth(graphics);
         Clipping clipping = new Clipping(g, view);
+        for (double[] way : moved.ways()) {
+            g.setColor(theme.color(Tone.FLOOR, 0.6));
+            g.setStroke(Theme.line(4));
+            g.draw(clipping.line(way, 2));
+            g.setColor(theme.color(Tone.MOVE));
+            g.setStroke(wayStroke());
+            g.draw(clipping.line(way, 2));
+        }
         g.setColor(theme.color(Tone.FLOOR, 0.9));
         g.setStroke(Theme.line(Theme.PATH_WIDTH + 2.6f));
         for (Drawn leg : legs) {
@@ -81,6 +119,11 @@ public final class RunPainter {
             }
         }
         g.dispose();
+    }
+
+    /** Returns the stroke of the way of a moved obstacle's centroid. */
+    static BasicStroke wayStroke() {
+        return Theme.line(1.4f, 5, 4);
     }
 
     /** Paints start and goal of the task, if it has them. */
@@ -181,10 +224,29 @@ public final class RunPainter {
             if (cover.over(x, y, track.z(frame))) {
                 g.setComposite(AlphaComposite.getInstance(AlphaComposite.SRC_OVER, 0.6f));
             }
+            Optional<Polygon> held = held(track, frame, time);
+            if (held.isPresent()) {
+                Point hold = Hands.hold(held.get(), x, y);
+                Hands.paint(g, view, new Point(x, y), radius(track, view), hold, colour, theme.color(Tone.PANEL));
+            }
             paintActor(g, view.px(x), view.py(y), radius(track, view), track.headingRad(frame), colour);
             g.setComposite(AlphaComposite.SrcOver);
         }
         g.dispose();
+    }
+
+    /** Finds what an actor holds. */
+    private Optional<Polygon> held(Track track, int frame, double time) {
+        if (!gripping || !track.ability(frame).equals(Ability.MOVE.key())) {
+            return Optional.empty();
+        }
+        double at = Math.max(0, Math.min(run.frames().duration(), time));
+        return run.legs().stream()
+                .filter(leg -> Moved.isMove(leg) && leg.actor().equals(track.owner()))
+                .filter(leg -> leg.begin() <= at + SAME_TIME && at <= leg.end() + SAME_TIME)
+                .findFirst()
+                .flatMap(leg -> moved.obstacle(leg.what(), frame))
+                .map(Obstacle::outline);
     }
 
     private void paintActor(Graphics2D g, double x, double y, double radius, double headingRad, Color colour) {

@@ -6,6 +6,7 @@ import java.awt.Rectangle;
 import java.awt.Shape;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
+import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Set;
@@ -70,6 +71,14 @@ public final class ScenePainter {
     /** Returns a painter that writes the heights of these elements too, whatever they are. */
     public ScenePainter numbering(Set<String> ids) {
         return new ScenePainter(scene, theme, looks, ditches, elevation, Set.copyOf(ids));
+    }
+
+    /** Returns a painter that shows these traces of moved obstacles too, each under what has a top as high. */
+    ScenePainter tracing(List<ObstacleLook> traces) {
+        List<ObstacleLook> more = new ArrayList<>(traces);
+        more.addAll(looks);
+        more.sort(Comparator.comparingDouble(l -> l.obstacle().top()));
+        return new ScenePainter(scene, theme, more, ditches, elevation, numbered);
     }
 
     /** Paints everything, text included. */
@@ -138,7 +147,11 @@ public final class ScenePainter {
         for (ObstacleLook look : looks) {
             Shape shape = clipping.polygon(look.obstacle().outline());
             if (clip == null || shape.getBounds2D().intersects(grown(clip))) {
-                paintObstacle(g, look, shape);
+                if (look.solid()) {
+                    paintObstacle(g, look, shape);
+                } else {
+                    paintTrace(g, theme, look.trace(), shape, look.fill(theme));
+                }
             }
         }
         g.dispose();
@@ -160,6 +173,24 @@ public final class ScenePainter {
             g.draw(Shapes.hatch(shape, GRAIN_SPACING));
         }
         paintOutline(g, look, shape);
+    }
+
+    /** Paints where a moved obstacle stood, pale with a dashed outline, or the outline alone of where it is going to. */
+    static void paintTrace(Graphics2D g, Theme theme, ObstacleLook.Trace trace, Shape shape, Color fill) {
+        if (trace == ObstacleLook.Trace.LEFT) {
+            g.setColor(new Color(fill.getRed(), fill.getGreen(), fill.getBlue(), 56));
+            g.fill(shape);
+            g.setColor(theme.color(Tone.GRAIN, 0.3));
+            g.setStroke(Theme.line(1.2f));
+            g.draw(Shapes.hatch(shape, GRAIN_SPACING));
+        }
+        paintTraceOutline(g, theme, trace, shape);
+    }
+
+    private static void paintTraceOutline(Graphics2D g, Theme theme, ObstacleLook.Trace trace, Shape shape) {
+        g.setColor(trace == ObstacleLook.Trace.LEFT ? theme.color(Tone.GHOST) : theme.color(Tone.MOVE, 0.6));
+        g.setStroke(trace == ObstacleLook.Trace.LEFT ? Theme.line(1.2f, 4, 4) : Theme.line(1.2f, 1, 4));
+        g.draw(shape);
     }
 
     private boolean above(ObstacleLook look) {
@@ -187,7 +218,10 @@ public final class ScenePainter {
             g.draw(clipping.polygon(ditch.outline()));
         }
         for (ObstacleLook look : looks) {
-            if (!above(look)) {
+            if (!look.solid()) {
+                Shape shape = clipping.polygon(look.obstacle().outline());
+                paintTraceOutline(g, theme, look.trace(), shape);
+            } else if (!above(look)) {
                 paintOutline(g, look, clipping.polygon(look.obstacle().outline()));
             }
         }
@@ -204,13 +238,13 @@ public final class ScenePainter {
     public void paintLabels(Graphics2D graphics, Viewport view, Labels labels) {
         Graphics2D g = Shapes.smooth(graphics);
         ElevationLabels writer = new ElevationLabels(g, theme, view, labels);
-        writer.keepOff(looks.stream().filter(l -> !above(l)).toList());
+        writer.keepOff(looks.stream().filter(l -> l.solid() && !above(l)).toList());
         for (Ditch ditch : ditches) {
             writer.write(ditch);
         }
         for (int i = looks.size() - 1; i >= 0; i--) {
             ObstacleLook look = looks.get(i);
-            boolean asked = numbered.contains(look.obstacle().id());
+            boolean asked = look.solid() && numbered.contains(look.obstacle().id());
             if (asked || look.low() && !look.obstacle().movable() && !above(look)) {
                 writer.write(look, asked);
             }

@@ -32,6 +32,7 @@ public enum Tone {
     DITCH_EDGE(0x5f8aa3, 0x8fb7cc),
     WOOD(0xb4783c, 0xb4783c),
     GRAIN(0x8f5c2a, 0x8f5c2a),
+    GHOST(0x8f5c2a, 0xc08a55),
     INK(0xffffff, 0x14171b);
 
     private final Color light;

@@ -6,10 +6,12 @@ import java.util.List;
 import java.util.Optional;
 import troupe.run.Channel;
 import troupe.run.Frames;
+import troupe.run.Run;
 import troupe.scene.Ability;
+import troupe.scene.Obstacle;
 
 /**
- * Follows one moving thing through the frames of a run: an actor, or one member of a group. It reads the
+ * Follows one moving thing through the frames of a run: an actor, one member of a group, or a moved obstacle. It reads the
  * channels {@code x}, {@code y} and, where they are there, {@code z}, {@code heading} and
  * {@code ability} of one owner. Immutable.
  */
@@ -23,11 +25,13 @@ public final class Track {
     private final int heading;
     private final int ability;
     private final List<String> abilities;
+    private final double elevation;
 
-    private Track(Frames frames, String owner, int member) {
+    private Track(Frames frames, String owner, int member, double elevation) {
         this.frames = frames;
         this.owner = owner;
         this.member = member;
+        this.elevation = elevation;
         this.x = frames.channel(owner, "x");
         this.y = frames.channel(owner, "y");
         this.z = frames.channel(owner, "z");
@@ -40,13 +44,18 @@ public final class Track {
                         .toList();
     }
 
-    /** Returns the tracks of all owners that have channels x and y, in the order of the channels. */
-    public static List<Track> of(Frames frames) {
+    /** Returns the tracks of all owners that have channels x and y, in the order of the channels: actors and moved obstacles. */
+    public static List<Track> of(Run run) {
+        Frames frames = run.frames();
         List<Track> tracks = new ArrayList<>();
         for (Channel channel : frames.channels()) {
             if (channel.name().equals("x") && frames.channel(channel.owner(), "y") >= 0) {
+                double elevation = run.scene()
+                        .obstacle(channel.owner())
+                        .map(Obstacle::offset)
+                        .orElse(0.0);
                 for (int member = 0; member < channel.width(); member++) {
-                    tracks.add(new Track(frames, channel.owner(), member));
+                    tracks.add(new Track(frames, channel.owner(), member, elevation));
                 }
             }
         }
@@ -73,9 +82,9 @@ public final class Track {
         return frames.value(frame, y, member);
     }
 
-    /** Returns the elevation in metres in a frame, 0 if the run does not tell. */
+    /** Returns the elevation in metres in a frame; if the run does not tell, that of an obstacle's bottom, else 0. */
     public double z(int frame) {
-        return z < 0 ? 0 : frames.value(frame, z, member);
+        return z < 0 ? elevation : frames.value(frame, z, member);
     }
 
     /** Returns the heading in radians in a frame, 0 if the run does not tell. */

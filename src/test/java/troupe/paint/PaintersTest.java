@@ -236,7 +236,7 @@ class PaintersTest {
 
     @Test
     void trackReadsPlaceHeadingAndAbilityOfAFrame() {
-        Track track = Track.of(Sketch.run().frames()).get(0);
+        Track track = Track.of(Sketch.run()).get(0);
         assertEquals("ann", track.id());
         assertEquals(1.1, track.x(0));
         assertEquals("walk", track.ability(0));

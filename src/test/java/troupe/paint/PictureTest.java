@@ -35,21 +35,22 @@ class PictureTest {
             Graphics2D g = image.createGraphics();
             g.setColor(theme.color(Tone.CANVAS));
             g.fillRect(0, 0, WIDTH, height);
-            Viewport view = new Viewport(-0.1, 13.1, 13.2);
-            ScenePainter scene = new ScenePainter(Sketch.scene(), theme);
+            Viewport view = name.startsWith("move") ? new Viewport(5.8, 10, 38) : new Viewport(-0.1, 13.1, 13.2);
+            RunPainter run = new RunPainter(name.startsWith("move") ? Sketch.haul() : Sketch.run(), theme);
+            double time = name.equals("move") ? 8 : name.equals("moved") ? 10 : 3.6;
+            ScenePainter scene = run.scene(Sketch.scene(), time);
             scene.paintGround(g, view);
             scene.paintObstacles(g, view);
-            RunPainter run = new RunPainter(Sketch.run(), theme);
             switch (name) {
                 case "potential" -> new OverlayPainter(Sketch.potential(), theme).paint(g, view);
                 case "contours" -> new OverlayPainter(Sketch.potential(), theme, false).paint(g, view);
                 case "class" -> new OverlayPainter(Sketch.classes(), theme).paint(g, view);
                 case "skeleton" -> new OverlayPainter(Sketch.skeleton(), theme).paint(g, view);
                 case "trigger-points" -> new OverlayPainter(Sketch.triggers(), theme).paint(g, view);
-                case "run" -> {
+                case "run", "move", "moved" -> {
                     run.paintLegs(g, view);
                     run.paintEnds(g, view);
-                    run.paintActors(g, view, 3.6);
+                    run.paintActors(g, view, time);
                 }
                 default -> assertEquals("scene", name);
             }
@@ -68,7 +69,8 @@ class PictureTest {
     }
 
     static Stream<Case> cases() {
-        return Stream.of("scene", "run", "potential", "contours", "class", "skeleton", "trigger-points")
+        return Stream.of(
+                        "scene", "run", "potential", "contours", "class", "skeleton", "trigger-points", "move", "moved")
                 .flatMap(name -> Stream.of(Theme.values()).map(theme -> new Case(name, theme)));
     }
 

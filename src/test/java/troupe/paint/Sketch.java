@@ -82,6 +82,29 @@ public final class Sketch {
                 scene(), "to-the-fountain", Outcome.FOUND, Report.builder().build(), frames(legs), legs, List.of());
     }
 
+    /** Returns the run with the crate going along while it is moved: 2.1 m to the right, 0.7 m up, turned by 1.2 rad. */
+    public static Run haul() {
+        Run run = run();
+        List<Channel> channels = new ArrayList<>(run.frames().channels());
+        channels.add(new Channel("x", "m", Channel.Type.F64, "crate", 1));
+        channels.add(new Channel("y", "m", Channel.Type.F64, "crate", 1));
+        channels.add(new Channel("heading", "rad", Channel.Type.F64, "crate", 1));
+        List<double[]> rows = new ArrayList<>();
+        for (int frame = 0; frame < run.frames().count(); frame++) {
+            double share = Math.max(0, Math.min(1, (frame / 25.0 - 7) / 2));
+            double[] row = new double[channels.size()];
+            for (int c = 0; c < row.length - 3; c++) {
+                row[c] = run.frames().value(frame, c, 0);
+            }
+            row[row.length - 3] = 8.15 + 2.1 * share;
+            row[row.length - 2] = 7.5 + 0.7 * share;
+            row[row.length - 1] = 1.2 * share;
+            rows.add(row);
+        }
+        Frames frames = frames(List.copyOf(channels), rows);
+        return new Run(run.scene(), run.task(), run.outcome(), run.report(), frames, run.legs(), List.of());
+    }
+
     private static Run.Leg leg(String ability, String what, double begin, double end, double... xyz) {
         List<double[]> points = new ArrayList<>();
         for (int i = 0; i < xyz.length; i += 3) {
@@ -101,6 +124,10 @@ public final class Sketch {
         for (int k = 0; k <= 250; k++) {
             rows.add(at(legs, k / 25.0));
         }
+        return frames(channels, rows);
+    }
+
+    private static Frames frames(List<Channel> channels, List<double[]> rows) {
         return new Frames() {
             @Override
             public List<Channel> channels() {

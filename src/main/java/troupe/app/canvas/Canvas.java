@@ -24,6 +24,7 @@ import troupe.app.session.OverlayChoice;
 import troupe.app.session.Session;
 import troupe.geometry.Box;
 import troupe.geometry.Point;
+import troupe.geometry.Pose;
 import troupe.paint.Labels;
 import troupe.paint.Legend;
 import troupe.paint.RunPainter;
@@ -58,6 +59,7 @@ public final class Canvas extends Drawn implements AutoCloseable {
     private transient Tool tool;
     private transient Painters.Prepared prepared;
     private transient Scene painted;
+    private transient List<?> paintedMoment = List.of();
     private transient ScenePainter scenePainter;
     private double elevation = Double.POSITIVE_INFINITY;
 
@@ -203,11 +205,29 @@ public final class Canvas extends Drawn implements AutoCloseable {
 
     private ScenePainter scenePainter() {
         Scene scene = session.document().shown();
-        if (scene != painted) {
+        List<?> moment = moment();
+        if (scene != painted || !moment.equals(paintedMoment)) {
             painted = scene;
-            scenePainter = new ScenePainter(scene, look.theme()).upTo(elevation);
+            paintedMoment = moment;
+            double time = session.playback().time();
+            scenePainter = run().map(run -> run.scene(scene, time))
+                    .orElseGet(() -> new ScenePainter(scene, look.theme()))
+                    .upTo(elevation);
         }
         return scenePainter;
+    }
+
+    private Optional<RunPainter> run() {
+        return prepared == null ? Optional.empty() : prepared.run();
+    }
+
+    /** Returns what the look of the scene depends on in the run: the run, and the poses of what it moves. */
+    private List<?> moment() {
+        return run().map(run -> {
+                    List<Pose> poses = run.poses(session.playback().time());
+                    return poses.isEmpty() ? List.of() : List.of(run, poses);
+                })
+                .orElse(List.of());
     }
 
     private Object groundStamp() {
@@ -217,7 +237,7 @@ public final class Canvas extends Drawn implements AutoCloseable {
 
     private Object sceneStamp() {
         return List.of(
-                session.document().shown().obstacles(), session.selection().ids(), elevation);
+                session.document().shown().obstacles(), session.selection().ids(), elevation, moment());
     }
 
     private Object pathStamp() {
@@ -257,7 +277,7 @@ public final class Canvas extends Drawn implements AutoCloseable {
     }
 
     private void paintPath(Graphics2D g) {
-        Optional<RunPainter> run = prepared == null ? Optional.empty() : prepared.run();
+        Optional<RunPainter> run = run();
         Labels labels = new Labels();
         run.ifPresent(painter -> {
             painter.paintLegs(g, view);
@@ -279,11 +299,7 @@ public final class Canvas extends Drawn implements AutoCloseable {
     }
 
     private void paintActors(Graphics2D g) {
-        if (prepared != null) {
-            prepared.run()
-                    .ifPresent(
-                            run -> run.paintActors(g, view, session.playback().time()));
-        }
+        run().ifPresent(run -> run.paintActors(g, view, session.playback().time()));
     }
 
     @Override
