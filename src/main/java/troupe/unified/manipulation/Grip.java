@@ -1,7 +1,6 @@
 package troupe.unified.manipulation;
 
 import troupe.geometry.Line;
-import troupe.geometry.Point;
 import troupe.geometry.Polygon;
 import troupe.grid.GridFrame;
 import troupe.grid.region.Kind;
@@ -103,9 +102,8 @@ public final class Grip {
         i = toI;
         j = toJ;
         k = toK;
-        Point at = turns.at(k);
-        x = at.x() + i * movable.cell();
-        y = at.y() + j * movable.cell();
+        x = turns.x(k) + i * movable.cell();
+        y = turns.y(k) + j * movable.cell();
         distance = Double.NaN;
     }
 

@@ -19,6 +19,8 @@ final class Turns {
     private final int parts;
     private final double[] cosines;
     private final double[] sines;
+    private final double[] xs;
+    private final double[] ys;
     private final int[] cols;
     private final int[] rows;
     private final byte[][] steps;
@@ -40,6 +42,8 @@ final class Turns {
             cosines[part] = StrictMath.cos(part * movable.turn() / parts);
             sines[part] = StrictMath.sin(part * movable.turn() / parts);
         }
+        this.xs = new double[headings];
+        this.ys = new double[headings];
         this.cols = new int[headings];
         this.rows = new int[headings];
         this.steps = new byte[headings][];
@@ -47,6 +51,8 @@ final class Turns {
         this.diagonal = new int[headings];
         for (int k = 0; k < headings; k++) {
             Point at = at(k, 0);
+            xs[k] = at.x();
+            ys[k] = at.y();
             cols[k] = col(at);
             rows[k] = row(at);
         }
@@ -88,9 +94,14 @@ final class Turns {
         return -2;
     }
 
-    /** Returns where the actor is at heading {@code k} of the obstacle. */
-    Point at(int k) {
-        return at(k, 0);
+    /** Returns the x in metres of the actor at heading {@code k}. */
+    double x(int k) {
+        return xs[k];
+    }
+
+    /** Returns the y in metres of the actor at heading {@code k}. */
+    double y(int k) {
+        return ys[k];
     }
 
     /** Returns where the actor is after {@code part} of the {@link #parts} of the turn from heading {@code k}. */

@@ -163,6 +163,9 @@ class InstanceOracleTest {
         }
         assertEquals(whole.outcome(), sliced.outcome(), trial);
         assertEquals(whole.expanded(), sliced.expanded(), trial);
+        other.advance(Long.MAX_VALUE, Long.MAX_VALUE);
+        assertEquals(whole.outcome(), other.outcome(), trial);
+        assertEquals(whole.expanded(), other.expanded(), trial);
         if (slow.found == null) {
             failed++;
             return;
@@ -173,5 +176,6 @@ class InstanceOracleTest {
         assertEquals(slow.poses(), whole.transfer().poses(), trial);
         assertEquals(slow.found.stand(), whole.transfer().to(), trial);
         assertEquals(whole.transfer(), sliced.transfer(), trial);
+        assertEquals(whole.transfer(), other.transfer(), trial);
     }
 }

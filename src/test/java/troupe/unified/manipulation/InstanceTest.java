@@ -5,7 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import troupe.geometry.Polygon;
+import troupe.scene.Obstacle;
 import troupe.scene.Scene;
 import troupe.search.Outcome;
 
@@ -61,5 +64,54 @@ class InstanceTest {
                         instance.transfer().last().i(),
                         instance.transfer().last().j(),
                         instance.transfer().last().k()));
+    }
+
+    @Test
+    void aBoxBehindABoxHasToBeMovedFirst() {
+        // a niche 1 m wide and 2 m deep holds two boxes; only the outer one can come out
+        Scene scene = Plans.scene(
+                6,
+                6,
+                0.1,
+                Plans.crate(2, 4, 3, 5),
+                Plans.crate(2, 3, 3, 4),
+                Plans.wall(1, 3, 2, 6),
+                Plans.wall(3, 3, 4, 6),
+                Plans.wall(2, 5, 3, 6));
+        ExpectedPath across = Plans.along(scene, 4.55, 2.55, 2.55, 0.25);
+        Instance inner = Plans.solved(Plans.free(scene, 24, across, PRICES));
+        assertInstanceOf(Outcome.Infeasible.class, inner.outcome());
+        assertEquals(1, inner.expanded());
+        // with the outer box away the inner one comes out as far as it must: 0.8 m, its rear at 4.2 m
+        Movable movable = Plans.movable(scene, 24);
+        Surroundings after = new Surroundings(scene).with(1, Polygon.rectangle(4.5, 1, 5.5, 2));
+        Instance freed = Plans.solved(new Question(
+                movable, after, new ConfigurationSpace(movable, across), PRICES, Optional.empty(), across.cell(0)));
+        assertTrue(freed.outcome().isFound());
+        assertEquals(new LatticePose(0, -7, 0), freed.transfer().last());
+    }
+
+    @Test
+    void aBookSlidesAlongTheShelfButNotOffIt() {
+        Obstacle shelf = Plans.solid(Polygon.rectangle(1, 1, 3, 1.3), 1, 0.05, false);
+        Obstacle book = Plans.solid(Polygon.rectangle(1.2, 1, 1.4, 1.3), 1.05, 0.3, true);
+        Scene scene = Plans.scene(4, 4, 0.1, book, shelf);
+        Instance instance = Plans.solved(Plans.free(scene, 4, Plans.along(scene, 1.15, 0.05, 1.65, 0.2), PRICES));
+        assertTrue(instance.outcome().isFound());
+        for (LatticePose pose : instance.transfer().poses()) {
+            assertTrue(new Surroundings(scene).support(Plans.movable(scene, 4)).rests(pose.i(), pose.j(), pose.k()));
+        }
+        // the path ends at 1.65: the book must begin at 1.85, seven cells on
+        assertEquals(new LatticePose(7, 0, 0), instance.transfer().last());
+    }
+
+    @Test
+    void stopsBeforeCostsOverflow() {
+        Scene scene = Plans.scene(8, 8, 0.1, Plans.crate(3, 3, 4, 4));
+        long dear = Prices.BLOCKED / 3;
+        ExpectedPath path = Plans.along(scene, 3.55, 1, 7, 0.25);
+        Instance instance = Plans.solved(Plans.free(scene, 8, path, new Prices(dear, dear, dear, 0, 0)));
+        assertInstanceOf(Outcome.Infeasible.class, instance.outcome());
+        assertTrue(instance.expanded() > 10 && instance.expanded() < 1000, instance.expanded() + " expansions");
     }
 }
