@@ -39,6 +39,7 @@ final class PushCheck {
 
     private final Scene scene;
     private final Actor actor;
+    private final Journey journey;
     private final Frames frames;
     private final String which;
     private final List<Obstacle> now;
@@ -46,6 +47,7 @@ final class PushCheck {
     private PushCheck(Run run, Actor actor, String which) {
         this.scene = run.scene();
         this.actor = actor;
+        this.journey = (Journey) scene.task(run.task()).orElseThrow();
         this.frames = run.frames();
         this.which = which;
         this.now = new ArrayList<>(scene.obstacles());
@@ -151,7 +153,7 @@ final class PushCheck {
     }
 
     private List<Pose> poses(Obstacle obstacle, List<LatticePose> lattice) {
-        int headings = ((Journey) scene.tasks().get(0)).headings();
+        int headings = journey.headings();
         Point c = obstacle.outline().centroid();
         double cell = scene.world().cell();
         List<Pose> poses = new ArrayList<>();

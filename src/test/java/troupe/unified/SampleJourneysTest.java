@@ -43,10 +43,12 @@ class SampleJourneysTest {
     }
 
     private static void solves(Scene scene, Journey journey, String name) {
-        Run run = JourneyEngine.of(scene, journey).finish();
+        JourneyEngine engine = JourneyEngine.of(scene, journey);
+        Run run = engine.finish();
         assertTrue(run.outcome().isFound(), name + ": " + run.outcome());
         Actor actor = scene.actor(journey.actor()).orElseThrow();
         RunCheck.assertKeepsRadius(run, actor, name);
+        PushCheck.assertFree(run, actor, engine.path().orElseThrow(), name);
         Run again = JourneyEngine.of(scene, journey).finish();
         assertEquals(Digest.of(run.frames()), Digest.of(again.frames()), name);
         double smoothed = (double) run.report().values().get("smoothed_length");

@@ -5,6 +5,7 @@ import java.util.Comparator;
 import java.util.List;
 import troupe.geometry.Box;
 import troupe.geometry.Line;
+import troupe.geometry.Point;
 import troupe.geometry.Polygon;
 import troupe.scene.Ability;
 import troupe.scene.Actor;
@@ -75,6 +76,12 @@ public final class SweptBody {
     /** Returns the elevation of the floor at a point: the highest immovable top not above {@code floor} plus a step. */
     public double floorAt(double x, double y, double floor) {
         return floors.floorAt(x, y, floor + actor.stepHeight() + SLACK);
+    }
+
+    /** Returns the elevation of the floor at a point that can be stepped to from {@code floor}, else {@code floor} itself. */
+    public double floorUnder(Point at, double floor) {
+        double under = floorAt(at.x(), at.y(), floor);
+        return under < floor - actor.stepHeight() - SLACK ? floor : under;
     }
 
     private boolean insideWorld(double x, double y, double radius) {

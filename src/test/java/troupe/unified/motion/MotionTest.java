@@ -5,12 +5,22 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
+import troupe.geometry.Polygon;
+import troupe.run.Channel;
 import troupe.run.Frames;
 import troupe.run.Run;
 import troupe.scene.Ability;
 import troupe.scene.Actor;
+import troupe.scene.Obstacle;
+import troupe.scene.Scene;
+import troupe.scene.World;
+import troupe.unified.body.SweptBody;
+import troupe.unified.manipulation.LatticePose;
+import troupe.unified.manipulation.Movable;
+import troupe.unified.manipulation.Transfer;
 
 class MotionTest {
     private static final int X = 0;
@@ -96,6 +106,102 @@ class MotionTest {
         assertEquals(0.5, recorded.frames().value(0, Z, 0));
         assertEquals(0, recorded.legs().get(0).end());
         assertEquals(0, new Motion(actor, List.of()).record().frames().count());
+    }
+
+    private static final Obstacle CRATE =
+            new Obstacle("crate", "", Polygon.rectangle(1.5, 1.5, 2.5, 2.5), 0, 1, true, 10, "");
+
+    /** Makes a route in which the crate is shifted by 0.2 m to the east and turned by a quarter counter-clockwise. */
+    private List<Stretch> hauled(boolean gripped, Haul.Stand to) {
+        Scene scene = new Scene("", new World(4, 4, 0.1), List.of(CRATE), List.of(), List.of(actor), List.of());
+        Movable movable = new Movable(0, CRATE, 0.1, 4);
+        List<LatticePose> poses =
+                List.of(LatticePose.HOME, new LatticePose(1, 0, 0), new LatticePose(2, 0, 0), new LatticePose(2, 0, 1));
+        Transfer transfer = new Transfer(0, gripped, 0, 0, poses, 0.2, Math.PI / 2, gripped ? 1 : 0);
+        Haul haul = new Haul(movable, transfer, new Haul.Stand(1.2, 2, 0), to, new SweptBody(scene, actor));
+        return List.of(
+                stretch(Ability.WALK, 1.2, 1, 0, 1.2, 2, 0),
+                new Stretch(Ability.MOVE, "crate", 3, haul.points(), Optional.of(haul)),
+                stretch(Ability.WALK, to.x(), to.y(), 0, to.x() + 1, to.y(), 0));
+    }
+
+    @Test
+    void movesRigidlyWithWhatItHolds() {
+        Motion.Recorded recorded = new Motion(actor, hauled(true, new Haul.Stand(2.25, 1.2, 0))).record();
+        Frames frames = recorded.frames();
+        assertEquals(
+                List.of("x", "y", "heading"),
+                frames.channels().subList(6, 9).stream().map(Channel::name).toList());
+        assertEquals("crate", frames.channels().get(8).owner());
+        Run.Leg leg = recorded.legs().get(1);
+        assertEquals("move", leg.ability());
+        assertEquals("crate", leg.what());
+        // a quarter turn to face the hold, the shift, the turn with an arm of 0.8 m, and a step to the centre
+        double seconds = 0.25 + (0.2 + 0.8 * Math.PI / 2 + 0.05) / 0.5;
+        assertEquals(seconds, leg.end() - leg.begin(), 1e-9);
+        for (int f = 0; f < frames.count(); f++) {
+            double heading = frames.value(f, 8, 0);
+            boolean before = f / 25.0 <= leg.begin() + 0.25;
+            boolean hauls = f / 25.0 > leg.begin() + 0.25 && f / 25.0 < leg.end() - 0.1;
+            if (before) {
+                assertEquals(2, frames.value(f, 6, 0));
+            }
+            if (hauls) {
+                assertEquals(Ability.MOVE.ordinal(), frames.value(f, ABILITY, 0));
+                assertEquals(frames.value(f, 6, 0) - 0.8 * Math.cos(heading), frames.value(f, X, 0), 1e-9);
+                assertEquals(2 - 0.8 * Math.sin(heading), frames.value(f, Y, 0), 1e-9);
+                assertEquals(heading, frames.value(f, HEADING, 0), 1e-9, "it faces its hold, frame " + f);
+            }
+        }
+        int last = frames.count() - 1;
+        assertEquals(2.2, frames.value(last, 6, 0), 1e-12);
+        assertEquals(2, frames.value(last, 7, 0), 1e-12);
+        assertEquals(Math.PI / 2, frames.value(last, 8, 0), 1e-12);
+        List<double[]> points = leg.points();
+        assertEquals(1.4, points.get(1)[0], 1e-12, "two shifts are one line");
+        for (int i = 1; i < points.size() - 1; i++) {
+            assertEquals(0.8, Math.hypot(points.get(i)[0] - 2.2, points.get(i)[1] - 2), 1e-9);
+        }
+    }
+
+    @Test
+    void standsAndLooksOnWhereNoGripIsAskedFor() {
+        Motion.Recorded recorded = new Motion(actor, hauled(false, new Haul.Stand(1.2, 2, 0))).record();
+        Frames frames = recorded.frames();
+        Run.Leg leg = recorded.legs().get(1);
+        double arm = Math.sqrt(0.5);
+        assertEquals(0.25 + (0.2 + arm * Math.PI / 2) / 0.5, leg.end() - leg.begin(), 1e-9);
+        for (int f = 0; f < frames.count(); f++) {
+            if (frames.value(f, ABILITY, 0) == Ability.MOVE.ordinal()) {
+                assertEquals(1.2, frames.value(f, X, 0), 1e-9);
+                assertEquals(2, frames.value(f, Y, 0), 1e-9);
+            }
+            if (f / 25.0 > leg.begin() + 0.26 && f / 25.0 < leg.end()) {
+                assertEquals(0, frames.value(f, HEADING, 0), 1e-9, "frame " + f);
+            }
+        }
+        assertEquals(Math.PI / 2, frames.value(frames.count() - 1, 8, 0), 1e-12);
+        assertEquals(2, leg.points().size());
+    }
+
+    @Test
+    void stepsUpEvenlyWhileItHauls() {
+        Obstacle plate = new Obstacle("plate", "", Polygon.rectangle(1.45, 0, 4, 4), 0, 0.2, false, 10, "");
+        Obstacle crate = new Obstacle("crate", "", Polygon.rectangle(2, 1.5, 3, 2.5), 0.2, 1, true, 10, "");
+        Scene scene = new Scene("", new World(6, 4, 0.1), List.of(plate, crate), List.of(), List.of(actor), List.of());
+        List<LatticePose> poses =
+                List.of(LatticePose.HOME, new LatticePose(1, 0, 0), new LatticePose(2, 0, 0), new LatticePose(3, 0, 0));
+        Transfer transfer = new Transfer(1, true, 0, 0, poses, 0.3, 0, 0.3);
+        Haul haul = new Haul(
+                new Movable(1, crate, 0.1, 4),
+                transfer,
+                new Haul.Stand(1.3, 2, 0),
+                new Haul.Stand(1.6, 2, 0.2),
+                new SweptBody(scene, actor));
+        assertEquals(0, haul.actor(0.1)[2], 1e-9);
+        assertEquals(0.1, haul.actor(0.15)[2], 1e-9);
+        assertEquals(0.2, haul.actor(0.2)[2], 1e-9);
+        assertEquals(4, haul.points().size(), haul.points().toString());
     }
 
     @Test
