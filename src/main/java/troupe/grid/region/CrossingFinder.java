@@ -53,6 +53,13 @@ final class CrossingFinder {
         return Crossings.sorted(found, count);
     }
 
+    /** Adds crossings that were found otherwise. */
+    void add(long[] keys) {
+        found = Arrays.copyOf(found, count + keys.length);
+        System.arraycopy(keys, 0, found, count, keys.length);
+        count += keys.length;
+    }
+
     /** Finds the gaps over the cells of an area, from the levels that a condition lets pass. */
     void gaps(Window area, IntPredicate levels) {
         if (actor.stride().isEmpty()) {
@@ -180,7 +187,7 @@ final class CrossingFinder {
             for (int end = i + ends.cols(); i < end; i++, at++) {
                 if (kept[i] != 0 && area.holds(ends.col0() + ends.cols() - (end - i), ends.row0() + row)) {
                     if (count == found.length) {
-                        found = Arrays.copyOf(found, 2 * count);
+                        found = Arrays.copyOf(found, 2 * count + 64);
                     }
                     found[count++] = Crossings.key(at, level, kind);
                 }

@@ -48,7 +48,13 @@ public final class Region implements StepRelation {
 
     /** Builds the region of a structure with movable obstacles where they stand; null where one is not there. */
     Region(Structure structure, Solid[] movables) {
-        this(structure, movables, fresh(structure, movables));
+        this(structure, movables, fresh(structure, movables, false));
+    }
+
+    /** Builds the region that bounds those of all placements of the movable obstacles of a structure. */
+    static Region widest(Structure structure) {
+        boolean relaxed = structure.actor().vault().isPresent();
+        return new Region(structure, structure.none(), fresh(structure, structure.none(), relaxed));
     }
 
     private Region(Structure structure, Solid[] movables, Parts parts) {
@@ -70,7 +76,7 @@ public final class Region implements StepRelation {
     /** What a region computes or shares. */
     private record Parts(Words words, Crossings crossings, Neighbours neighbours, TargetBand[] bands) {}
 
-    private static Parts fresh(Structure structure, Solid[] movables) {
+    private static Parts fresh(Structure structure, Solid[] movables, boolean relaxed) {
         Spans spans = structure.spans();
         GridFrame frame = spans.frame();
         Window whole = new Window(0, 0, frame.cols(), frame.rows());
@@ -80,7 +86,11 @@ public final class Region implements StepRelation {
         if (structure.crosses()) {
             CrossingFinder finder = new CrossingFinder(structure, movables, words);
             finder.gaps(whole, level -> true);
-            finder.vaults(whole, level -> true);
+            if (relaxed) {
+                finder.add(new WidestVaults(structure, words).find());
+            } else {
+                finder.vaults(whole, level -> true);
+            }
             crossings = new Crossings(frame.size(), finder.found());
         }
         new Moves(spans, words, new Joints(structure.actor(), spans, words)).compute(whole);
@@ -122,19 +132,18 @@ public final class Region implements StepRelation {
     }
 
     /**
-     * Returns the region in which a movable obstacle is not there, and everything else is as here.
+     * Returns the region in which some movable obstacles are not there, and everything else is as here.
      *
-     * @param obstacle its index among the obstacles of the scene
-     * @throws IllegalArgumentException if there is no movable obstacle of that index
+     * @param obstacles their indices among the obstacles of the scene
+     * @throws IllegalArgumentException if there is no movable obstacle of such an index
      */
-    public Region without(int obstacle) {
-        structure.movable(obstacle);
-        if (movables[obstacle] == null) {
-            return this;
-        }
+    public Region without(int... obstacles) {
         Solid[] changed = movables.clone();
-        changed[obstacle] = null;
-        return moved(changed);
+        for (int obstacle : obstacles) {
+            structure.movable(obstacle);
+            changed[obstacle] = null;
+        }
+        return Arrays.equals(changed, movables) ? this : moved(changed);
     }
 
     /**

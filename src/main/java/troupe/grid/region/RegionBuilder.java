@@ -74,13 +74,18 @@ public final class RegionBuilder {
     }
 
     /**
-     * Finds the region that bounds all that can arise by moving obstacles; the very object of {@link #region} if
-     * none can be moved, because the actor cannot or the scene has none to move.
+     * Finds the region that bounds all that can arise by moving obstacles: whatever stands where, each way is also
+     * one here, at no more cost if standing steps cost no more than vaulting ones. It has the spans and gaps of
+     * the region without any movable obstacle, and vaults that need not lie on a straight crossing ({@link
+     * WidestVaults}). A place on a vault of another region answers to the crossing of the same cell, level and kind
+     * here, or, where there is none or that is cheaper, to the span within a step of that level. It is not to be
+     * patched. The very object of {@link #region} if none can be moved, because the actor cannot or the scene has
+     * none to move.
      */
     public Region widest() {
         if (widest == null) {
             widest = actor.move().isPresent() && scene.obstacles().stream().anyMatch(Obstacle::movable)
-                    ? new Region(structure(), new Solid[scene.obstacles().size()])
+                    ? Region.widest(structure())
                     : region();
         }
         return widest;

@@ -170,11 +170,43 @@ final class Solids {
                 low.add(solid);
             }
         }
-        boolean flat = scene.ditches().isEmpty();
+        if (!scene.ditches().isEmpty()) {
+            rate(floor, vault, window, all, mask);
+        } else if (low.isEmpty()) {
+            return false;
+        } else {
+            rate(
+                    floor,
+                    vault,
+                    window,
+                    all.stream().filter(s -> meetsAny(s, low)).toList(),
+                    mask);
+        }
+        int any = 0;
+        for (int i = 0; i < mask.length; i++) {
+            mask[i] = (byte) (mask[i] & ~(mask[i] >> 1) & HIT);
+            any |= mask[i];
+        }
+        return any != 0;
+    }
+
+    /**
+     * Sets the cells of a window near which something is in the way of a walking body on {@code floor} that no
+     * vault can take: a solid with its top out of range, or one that leaves no room above another.
+     */
+    void untakeable(double floor, Actor.Vault vault, Window window, byte[] mask) {
+        rate(floor, vault, window, all, mask);
+        for (int i = 0; i < mask.length; i++) {
+            mask[i] = (byte) ((mask[i] & BAD) != 0 ? 1 : 0);
+        }
+    }
+
+    /** Marks the cells where some solids, or ground, are in the way, and where these cannot be vaulted. */
+    private void rate(double floor, Actor.Vault vault, Window window, List<Solid> some, byte[] mask) {
         List<Solid> above = new ArrayList<>();
         List<Solid> inTheWay = new ArrayList<>();
-        for (Solid solid : all) {
-            if (!solid.box().meets(window) || flat && !meetsAny(solid, low)) {
+        for (Solid solid : some) {
+            if (!solid.box().meets(window)) {
                 continue;
             }
             if (solid.blocks(floor)) {
@@ -200,12 +232,6 @@ final class Solids {
                 }
             });
         }
-        int any = 0;
-        for (int i = 0; i < mask.length; i++) {
-            mask[i] = (byte) (mask[i] & ~(mask[i] >> 1) & HIT);
-            any |= mask[i];
-        }
-        return any != 0;
     }
 
     private void covered(Solid solid) {

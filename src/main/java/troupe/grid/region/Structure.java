@@ -94,6 +94,11 @@ final class Structure {
         return movables;
     }
 
+    /** Returns that no movable obstacle is there, as {@link #movables} would say it; a new array. */
+    Solid[] none() {
+        return new Solid[immovable.length];
+    }
+
     /** Returns a movable obstacle that stands at another outline. */
     Solid placed(int obstacle, Polygon outline) {
         return new Solid(movable(obstacle).withOutline(outline), actor, spans.frame());
