@@ -12,7 +12,9 @@ import troupe.scene.Preferences;
  * is a line over that preference: the energy spent with the ability is its slope. So the least cost is the
  * lower envelope of lines, and each of its corners is found by planning where two known lines cross, until
  * no plan there is cheaper than both (Eisner and Severance 1976, parametric search). Each plan made is
- * another line of the envelope, or confirms a corner.
+ * another line of the envelope, or confirms a corner. Where an obstacle is put depends on the prices, so a plan
+ * that moves one need not be there at another preference: a corner at which the least cost lies above its lines
+ * is none, and the search ends there.
  */
 final class CostLines {
     private static final double SLACK = 1e-9;
@@ -57,7 +59,7 @@ final class CostLines {
                 return Optional.empty();
             }
             if (!isCheaper(between, right, at)) {
-                return Optional.of(flip(at, before, right));
+                return isCheaper(right, between, at) ? Optional.empty() : Optional.of(flip(at, before, right));
             }
             if (between.energy(ability) > 0) {
                 before = between;
@@ -89,6 +91,8 @@ final class CostLines {
             }
             if (isCheaper(between, after, at)) {
                 later.push(between);
+            } else if (isCheaper(after, between, at)) {
+                return Optional.empty();
             } else if (!after.course().equals(left.course())) {
                 return Optional.of(flip(at, before, after));
             } else {

@@ -99,7 +99,9 @@ public final class Explainer {
         Optional<Flip> last = without.flatMap(r -> lines.last(own, r));
         Route right = last.map(Flip::below).orElseGet(() -> preferring(own.run(), ability, most));
         List<Flip> flips = new ArrayList<>();
-        lines.first(own, right).ifPresent(flips::add);
+        if (right.isFound()) {
+            lines.first(own, right).ifPresent(flips::add);
+        }
         last.ifPresent(flips::add);
         return flips;
     }

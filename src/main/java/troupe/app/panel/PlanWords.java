@@ -79,7 +79,7 @@ final class PlanWords {
         int decimals = times < 1.95 ? 2 : times < 9.95 ? 1 : 0;
         String instead = "";
         for (Ability ability : flip.above().used()) {
-            if (ability != Ability.WALK) {
+            if (ability != Ability.WALK && !flip.below().used().contains(ability)) {
                 String verb = texts.get("why.would." + ability.key());
                 instead = instead.isEmpty() ? verb : texts.format("why.would.and", instead, verb);
             }
