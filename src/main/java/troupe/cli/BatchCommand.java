@@ -9,6 +9,7 @@ import troupe.exchange.ExchangeException;
 import troupe.exchange.MovingAiMap;
 import troupe.exchange.MovingAiProblems;
 import troupe.run.Engine;
+import troupe.run.Report;
 import troupe.scene.Scene;
 import troupe.scene.SceneException;
 import troupe.scene.SceneSource;
@@ -173,13 +174,18 @@ final class BatchCommand implements Command {
             words.add(
                     value instanceof List<?> list
                             ? String.join(
-                                    " ", list.stream().map(Object::toString).toList())
+                                    " ", list.stream().map(BatchCommand::word).toList())
                             : value == null ? "" : value.toString());
         }
         words.add(Integer.toString(row.frames()));
         words.add(row.digest());
         words.add(String.format(Locale.ROOT, "%.3f", row.millis()));
         return Csv.line(words);
+    }
+
+    /** Returns a value of a list as one word: of a report its id. */
+    private static String word(Object value) {
+        return value instanceof Report report ? String.valueOf(report.values().get("id")) : value.toString();
     }
 
     private static int problems(Arguments arguments, Terminal terminal)

@@ -28,6 +28,13 @@ final class JourneyViews {
     /** The keys of the potential's views, which belong to the region without what may be moved. */
     private static final List<String> GUIDES = List.of("skeleton", "potential");
 
+    /** The keys of the views that differ between search spaces, between instances, and between headings. */
+    private static final List<String> BY_SPACE =
+            List.of("region", "class", "clearance", "crossings", "effort", "triggers", "expected-path", "instance");
+
+    private static final List<String> BY_INSTANCE = List.of("expected-path", "instance");
+    private static final List<String> BY_HEADING = List.of("instance");
+
     private final Preparation prepared;
     private final Optional<JourneySearch> search;
 
@@ -44,7 +51,8 @@ final class JourneyViews {
         List<Aspect> aspects = new ArrayList<>();
         aspects.add(new Aspect(
                 "space",
-                search.get().spaces().stream().map(JourneyViews::choice).toList()));
+                search.get().spaces().stream().map(JourneyViews::choice).toList(),
+                BY_SPACE));
         SearchSpace space = space(chosen);
         if (!space.attempts().isEmpty()) {
             List<Aspect.Choice> instances = new ArrayList<>();
@@ -54,14 +62,14 @@ final class JourneyViews {
                         (instances.size() + 1) + ": "
                                 + attempt.obstacle().obstacle().name()));
             }
-            Aspect instance = new Aspect("instance", instances);
+            Aspect instance = new Aspect("instance", instances, BY_INSTANCE);
             aspects.add(instance);
             Movable movable = space.attempts().get(instance.chosen(chosen, 1)).obstacle();
             List<Aspect.Choice> headings = new ArrayList<>();
             for (int k = 0; k < movable.headings(); k++) {
                 headings.add(Aspect.Choice.of("degrees", degrees(360.0 * k / movable.headings())));
             }
-            aspects.add(new Aspect("heading", headings));
+            aspects.add(new Aspect("heading", headings, BY_HEADING));
         }
         return aspects;
     }
@@ -149,7 +157,6 @@ final class JourneyViews {
         for (int cell : barred.poses(heading)) {
             values[cell] = 0;
         }
-        return new Overlay.Field(
-                "instance", storey, frame, values, new Overlay.Categories(List.of("bars the expected path")));
+        return new Overlay.Field("instance", storey, frame, values, new Overlay.Categories(List.of("bars-path")));
     }
 }
