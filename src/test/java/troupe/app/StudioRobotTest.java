@@ -27,10 +27,10 @@ import troupe.scene.SceneXml;
 
 /** Works the real window with mouse and keys, on a real or a virtual display. */
 class StudioRobotTest {
-    /** The middle of the crate, and of the door of the yard, in metres. */
-    private static final double[] CRATE = {7.1, 9.35};
+    /** The middle of the crate, which stands in the door of the yard, and a place out of everyone's way, in metres. */
+    private static final double[] CRATE = {8.125, 7.6};
 
-    private static final double[] DOOR = {8.14, 7.6};
+    private static final double[] ASIDE = {5.5, 9.5};
 
     @TempDir
     Path folder;
@@ -63,7 +63,7 @@ class StudioRobotTest {
         Scene before = studio.scene();
         Run first = run();
         assertTrue(first.outcome().isFound());
-        studio.drag(studio.window().canvas(), at(CRATE), at(DOOR));
+        studio.drag(studio.window().canvas(), at(CRATE), at(ASIDE));
         Run second = run();
         assertNotEquals(before, studio.scene());
         assertNotEquals(
@@ -84,7 +84,7 @@ class StudioRobotTest {
     void thePlanFollowsWhileTheMouseIsDownAndEscapeLeavesNoTrace() {
         Scene before = studio.scene();
         double energy = Figures.energy(run());
-        studio.pressAndMove(studio.window().canvas(), at(CRATE), at(DOOR));
+        studio.pressAndMove(studio.window().canvas(), at(CRATE), at(ASIDE));
         Await.until(
                 "a plan of a moment of the gesture",
                 () -> studio.session().plan().orElseThrow().snapshot().version().preview() > 0);
@@ -97,9 +97,54 @@ class StudioRobotTest {
                 OnEventThread.get(() -> studio.session().document().history().canUndo()));
     }
 
+    private static boolean movesTheCrate(Run run) {
+        return run.legs().stream()
+                .anyMatch(leg -> leg.ability().equals("move") && leg.what().equals("crate"));
+    }
+
+    @Test
+    void theCrateIsMovedByThePlanOnlyWhileItBarsTheDoor() {
+        assertTrue(movesTheCrate(run()));
+        studio.pressAndMove(studio.window().canvas(), at(CRATE), at(ASIDE));
+        Await.until("the plan of a moment of the gesture leaves it alone", () -> {
+            Plan plan = studio.session().plan().orElseThrow();
+            return plan.snapshot().version().preview() > 0
+                    && !movesTheCrate(plan.run().orElseThrow());
+        });
+        studio.release();
+        Run aside = run();
+        assertFalse(movesTheCrate(aside));
+        assertTrue(aside.outcome().isFound());
+        studio.drag(studio.window().canvas(), at(ASIDE), studio.pixel(8.3, 7.6));
+        Run back = run();
+        assertTrue(movesTheCrate(back));
+        assertTrue(Figures.energy(back) > Figures.energy(aside));
+        Await.until(
+                "the panel says so",
+                () -> OnEventThread.get(() -> studio.find("why.note") instanceof javax.swing.JTextArea note
+                        && note.getText().startsWith("Moves Crate over ")));
+    }
+
+    @Test
+    void theViewsOfASearchSpaceAreChosenAboveTheScene() {
+        studio.awaitPlan();
+        OnEventThread.run(() -> studio.session().overlays().show("region", true));
+        studio.click("aspect.space");
+        Await.until("the spaces are offered", () -> studio.find("choices.space").isShowing());
+        studio.keys(KeyEvent.VK_DOWN);
+        studio.keys(KeyEvent.VK_ENTER);
+        Await.until(
+                "the region of that space",
+                () -> OnEventThread.get(
+                                () -> studio.session().overlays().chosen().equals(List.of(1)))
+                        && ((javax.swing.AbstractButton) studio.find("aspect.space"))
+                                .getText()
+                                .equals("Space: Crate moved"));
+    }
+
     @Test
     void aSavedSceneReadsBackEqual() throws Exception {
-        studio.drag(studio.window().canvas(), at(CRATE), studio.pixel(4, 8));
+        studio.drag(studio.window().canvas(), at(CRATE), studio.pixel(4, 8.5));
         assertTrue(OnEventThread.get(() -> studio.session().document().isUnsaved()));
         studio.keys(KeyEvent.VK_CONTROL, KeyEvent.VK_S);
         Await.until("saved", () -> !studio.session().document().isUnsaved());

@@ -49,9 +49,9 @@ class PlanWordsTest {
     void saysWhenAnActorWouldWalkRound() throws SceneException, IOException {
         Explanation courtyard = explain("courtyard.xml", "to-the-fountain");
         assertEquals(
-                "If vaulting cost 4.1 times as much, Ann would walk round.",
+                "If vaulting cost 3.6 times as much, Ann would walk round.",
                 PlanWords.flips(courtyard, new Texts(Locale.ENGLISH)));
-        assertEquals("若翻越的代價變為 4.1 倍，Ann 就會繞道行走。", PlanWords.flips(courtyard, new Texts(Locale.TRADITIONAL_CHINESE)));
+        assertEquals("若翻越的代價變為 3.6 倍，Ann 就會繞道行走。", PlanWords.flips(courtyard, new Texts(Locale.TRADITIONAL_CHINESE)));
     }
 
     @Test
