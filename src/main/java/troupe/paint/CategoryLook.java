@@ -64,6 +64,7 @@ record CategoryLook(Color colour, Pattern pattern) {
     private static CategoryLook known(String word, Theme theme) {
         return switch (word) {
             case "stable", "walk", "reachable", "reached" -> new CategoryLook(theme.color(Tone.WALK), Pattern.PLAIN);
+            case "bars-path" -> new CategoryLook(theme.color(Tone.DIM), Pattern.RISING);
             case "border" -> new CategoryLook(theme.color(Tone.STEP), Pattern.LEVEL);
             case "sidestep" -> new CategoryLook(theme.color(Tone.SIDESTEP), Pattern.RISING);
             case "gap", "stride" -> new CategoryLook(theme.color(Tone.STRIDE), Pattern.DOTS);

@@ -28,8 +28,9 @@ public final class Legend {
     /** The words as they are, with longer ones for moving. */
     public static final UnaryOperator<String> ENGLISH = word -> switch (word) {
         case "move" -> "move an obstacle";
-        case "moved-way" -> "way of what is moved";
         case "moved-from" -> "where it stood";
+        case "triggers" -> "trigger points";
+        case "bars-path" -> "bars the expected path";
         default -> word.replace('-', ' ');
     };
 
@@ -80,8 +81,7 @@ public final class Legend {
             }
         }
         if (run != null && Moved.any(run)) {
-            entries.add(line(theme.color(Tone.MOVE), RunPainter.wayStroke(), words.apply("moved-way")));
-            entries.add(ghost(theme, words.apply("moved-from")));
+            entries.add(trace(theme, words.apply("moved-from")));
         }
         for (Overlay overlay : overlays) {
             List<Entry> more = new ArrayList<>();
@@ -102,14 +102,16 @@ public final class Legend {
         return new Entry(sample, SAMPLE, text);
     }
 
-    private static Entry ghost(Theme theme, String text) {
-        Sample sample = g -> ScenePainter.paintTrace(
-                g,
-                theme,
-                ObstacleLook.Trace.LEFT,
-                new Path2D.Double(new Rectangle2D.Double(1, -7, 20, 14)),
-                theme.color(Tone.WOOD));
-        return new Entry(sample, 22, text);
+    /** Returns what is left of a moved obstacle: its trace, and the way that leads from there. */
+    private static Entry trace(Theme theme, String text) {
+        Sample sample = g -> {
+            Path2D box = new Path2D.Double(new Rectangle2D.Double(2, -7, 15, 14));
+            ScenePainter.paintTrace(g, theme, ObstacleLook.Trace.LEFT, box, theme.color(Tone.WOOD));
+            g.setColor(theme.color(Tone.MOVE));
+            g.setStroke(RunPainter.wayStroke());
+            g.draw(new Line2D.Double(9.5, 0, SAMPLE - 1, 0));
+        };
+        return new Entry(sample, SAMPLE, text);
     }
 
     private static void addOverlay(

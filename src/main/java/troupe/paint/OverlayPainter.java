@@ -13,6 +13,7 @@ import troupe.run.Overlay;
  */
 public final class OverlayPainter {
     private static final double POINT_RADIUS = 3.2;
+    private static final String EXPECTED = "expected-path";
 
     private final Overlay overlay;
     private final Theme theme;
@@ -58,11 +59,18 @@ public final class OverlayPainter {
                 g.draw(view.transform().createTransformedShape(contours));
             }
         } else if (overlay instanceof Overlay.Lines lines) {
-            g.setColor(theme.color(lineTone(overlay.key())));
-            g.setStroke(lineStroke(overlay.key()));
             Clipping clipping = new Clipping(g, view);
             for (double[] line : lines.lines()) {
-                g.draw(clipping.line(line, 2));
+                Path2D path = clipping.line(line, 2);
+                if (overlay.key().equals(EXPECTED)) {
+                    // it leads over what bars it
+                    g.setColor(theme.color(Tone.FLOOR, 0.7));
+                    g.setStroke(Theme.line(5));
+                    g.draw(path);
+                }
+                g.setColor(theme.color(lineTone(overlay.key())));
+                g.setStroke(lineStroke(overlay.key()));
+                g.draw(path);
             }
         } else if (overlay instanceof Overlay.Points points) {
             double[] at = points.coordinates();
@@ -86,13 +94,13 @@ public final class OverlayPainter {
     static Tone lineTone(String key) {
         return switch (key) {
             case "skeleton" -> Tone.SKELETON;
-            case "expected-path" -> Tone.MOVE;
+            case EXPECTED -> Tone.MOVE;
             default -> Tone.ACCENT;
         };
     }
 
     /** Returns the stroke of polylines of a kind: dots for what is expected, a thin line for others. */
     static BasicStroke lineStroke(String key) {
-        return key.equals("expected-path") ? Theme.line(2, 0.1f, 4) : Theme.line(1.6f);
+        return key.equals(EXPECTED) ? Theme.line(2.6f, 0.1f, 5) : Theme.line(1.6f);
     }
 }

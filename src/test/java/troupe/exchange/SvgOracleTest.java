@@ -40,6 +40,11 @@ class SvgOracleTest {
         Picture picture = Picture.of(Sketch.run(), 3.6)
                 .with(theme)
                 .with(List.of(Sketch.potential(), Sketch.classes(), Sketch.skeleton(), Sketch.triggers()));
+        compare(picture);
+        compare(Picture.of(Sketch.haul(), 8).with(theme));
+    }
+
+    private static void compare(Picture picture) throws Exception {
         BufferedImage wanted = picture.image(WIDTH, 2);
         BufferedImage drawn = draw(SvgExport.document(picture, WIDTH), wanted.getWidth(), wanted.getHeight());
         long sum = 0;

@@ -194,6 +194,14 @@ class PaintersTest {
     }
 
     @Test
+    void legendNamesTheViewsOfASearchThatMovesThings() {
+        assertEquals(
+                List.of("bars the expected path", "trigger points", "expected path"),
+                Legend.of(null, Sketch.moving(), true, Theme.LIGHT, Legend.ENGLISH)
+                        .texts());
+    }
+
+    @Test
     void legendNamesTheViewOfSeveralLayersOnceAndCutsLongLists() {
         Overlay.Field low = Sketch.potential();
         Overlay.Field high = new Overlay.Field("potential", 1, low.frame(), low.values(), low.scale());

@@ -47,6 +47,7 @@ class PictureTest {
                 case "class" -> new OverlayPainter(Sketch.classes(), theme).paint(g, view);
                 case "skeleton" -> new OverlayPainter(Sketch.skeleton(), theme).paint(g, view);
                 case "trigger-points" -> new OverlayPainter(Sketch.triggers(), theme).paint(g, view);
+                case "move-views" -> Sketch.moving().forEach(o -> new OverlayPainter(o, theme).paint(g, view));
                 case "run", "move", "moved" -> {
                     run.paintLegs(g, view);
                     run.paintEnds(g, view);
@@ -70,7 +71,16 @@ class PictureTest {
 
     static Stream<Case> cases() {
         return Stream.of(
-                        "scene", "run", "potential", "contours", "class", "skeleton", "trigger-points", "move", "moved")
+                        "scene",
+                        "run",
+                        "potential",
+                        "contours",
+                        "class",
+                        "skeleton",
+                        "trigger-points",
+                        "move",
+                        "moved",
+                        "move-views")
                 .flatMap(name -> Stream.of(Theme.values()).map(theme -> new Case(name, theme)));
     }
 

@@ -220,4 +220,19 @@ public final class Sketch {
     public static Overlay.Points triggers() {
         return new Overlay.Points("trigger-points", 0, new double[] {7.4, 7.1, 7.4, 7.5, 7.4, 7.9, 8.9, 7.2, 8.9, 7.8});
     }
+
+    /** Returns what a search shows that moves the crate: trigger points, the expected path, the poses that bar it. */
+    public static List<Overlay> moving() {
+        GridFrame frame = GridFrame.of(scene().world());
+        float[] values = new float[frame.size()];
+        for (int i = 0; i < values.length; i++) {
+            double x = frame.centreX(frame.col(i));
+            double y = frame.centreY(frame.row(i));
+            values[i] = x > 7 && x < 11.5 && Math.abs(y - 7.4) < 0.7 ? 0 : Float.NaN;
+        }
+        return List.of(
+                new Overlay.Field("instance", 0, frame, values, new Overlay.Categories(List.of("bars-path"))),
+                new Overlay.Points("triggers", 0, triggers().coordinates()),
+                new Overlay.Lines("expected-path", 0, List.of(new double[] {7.4, 7.5, 9, 7.5, 11.1, 7.2})));
+    }
 }

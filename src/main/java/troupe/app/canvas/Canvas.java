@@ -44,7 +44,9 @@ import troupe.scene.World;
 public final class Canvas extends Drawn implements AutoCloseable {
     private static final int MARGIN = 24;
     private static final int TOP = 46;
-    private static final int BOTTOM = 62;
+    /** Room for a legend of two rows. */
+    private static final int BOTTOM = 72;
+
     private static final int CARD_MARGIN = 12;
 
     private final transient Look look;
