@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicIntegerArray;
 import java.util.stream.LongStream;
 import org.junit.jupiter.api.Test;
@@ -15,14 +14,17 @@ import troupe.scene.Actor;
 import troupe.scene.Journey;
 import troupe.scene.Scene;
 import troupe.unified.reference.MovingWorlds;
+import troupe.unified.search.JourneyPath;
 
 /**
  * Plans journeys through random worlds whose doorways are barred by something movable, and replays every frame
- * and every move on the polygons. {@code -Dtroupe.seed=N} starts at another seed.
+ * and every move on the polygons. {@code -Dtroupe.seed=N} starts at another seed, {@code -Dtroupe.worlds=N} makes
+ * more worlds.
  */
 class MovingRunPropertyTest {
     private static final long FIRST_SEED = Long.getLong("troupe.seed", 10_001);
-    private static final int WORLDS = 300;
+    private static final int WORLDS = Integer.getInteger("troupe.worlds", 200);
+    private static final int LAYERED = WORLDS / 8;
     private static final int SLICED = 40;
 
     private static Scene scene(long seed) {
@@ -38,26 +40,48 @@ class MovingRunPropertyTest {
 
     @Test
     void whatIsMovedMeetsNothingAndNeitherDoesWhoMovesIt() {
-        AtomicInteger solved = new AtomicInteger();
-        AtomicIntegerArray moved = new AtomicIntegerArray(4);
-        LongStream.range(FIRST_SEED, FIRST_SEED + WORLDS).parallel().forEach(seed -> {
+        Tally tally = new Tally();
+        LongStream.range(FIRST_SEED, FIRST_SEED + WORLDS).parallel().forEach(seed -> tally.add(seed, scene(seed)));
+        assertTrue(tally.solved() > WORLDS / 3, tally.toString());
+        assertTrue(tally.moved.get(1) > WORLDS / 10 && tally.moved.get(2) > 0, tally.toString());
+    }
+
+    @Test
+    void actorsOfAllSortsMoveThingsInLayeredScenesUnharmed() {
+        Tally tally = new Tally();
+        LongStream.range(FIRST_SEED, FIRST_SEED + LAYERED)
+                .parallel()
+                .forEach(seed -> tally.add(seed, LayeredStores.scene(seed)));
+        assertTrue(tally.moved.get(1) + tally.moved.get(2) > LAYERED / 5, tally.toString());
+    }
+
+    /** Plans, replays, and counts the runs by how many obstacles they move. */
+    private static final class Tally {
+        private final AtomicIntegerArray moved = new AtomicIntegerArray(4);
+
+        void add(long seed, Scene scene) {
             String which = "seed " + seed;
-            Scene scene = scene(seed);
             JourneyEngine engine = JourneyEngine.of(scene, journey(scene));
             Run run = engine.finish();
             if (run.outcome().isFound()) {
-                solved.incrementAndGet();
                 Actor actor = scene.actors().get(0);
+                JourneyPath path = engine.path().orElseThrow();
                 RunCheck.assertCollisionFree(run, actor, which);
-                PushCheck.assertFree(run, actor, engine.path().orElseThrow(), which);
+                PushCheck.assertFree(run, actor, path, which);
                 double energy = run.legs().stream().mapToDouble(Run.Leg::energy).sum();
-                assertEquals(engine.path().orElseThrow().energy(), energy, 1e-6, which);
-                int pushes = engine.path().orElseThrow().pushes().size();
-                moved.incrementAndGet(Math.min(3, pushes));
+                assertEquals(path.energy(), energy, 1e-6, which);
+                moved.incrementAndGet(Math.min(3, path.pushes().size()));
             }
-        });
-        assertTrue(solved.get() > WORLDS / 3, solved + " of " + WORLDS);
-        assertTrue(moved.get(1) > WORLDS / 10 && moved.get(2) > 0, "runs that move 0, 1, 2, more: " + moved);
+        }
+
+        int solved() {
+            return moved.get(0) + moved.get(1) + moved.get(2) + moved.get(3);
+        }
+
+        @Override
+        public String toString() {
+            return "runs that move 0, 1, 2, more obstacles: " + moved;
+        }
     }
 
     @Test
