@@ -47,11 +47,22 @@ class PlanWordsTest {
 
     @Test
     void saysWhenAnActorWouldWalkRound() throws SceneException, IOException {
-        Explanation courtyard = explain("courtyard.xml", "to-the-fountain");
+        Explanation crate = explainWithoutMoving("three-ways.xml", "past-the-crate");
         assertEquals(
-                "If vaulting cost 3.6 times as much, Ann would walk round.",
-                PlanWords.flips(courtyard, new Texts(Locale.ENGLISH)));
-        assertEquals("若翻越的代價變為 3.6 倍，Ann 就會繞道行走。", PlanWords.flips(courtyard, new Texts(Locale.TRADITIONAL_CHINESE)));
+                "If vaulting cost 1.37 times as much, Kit would walk round.",
+                PlanWords.flips(crate, new Texts(Locale.ENGLISH)));
+        assertEquals("若翻越的代價變為 1.37 倍，Kit 就會繞道行走。", PlanWords.flips(crate, new Texts(Locale.TRADITIONAL_CHINESE)));
+    }
+
+    @Test
+    void saysWhenAnActorWouldNotMoveAThing() throws SceneException, IOException {
+        Scene scene =
+                SceneXml.read(Path.of("scenes", "unified", "three-ways.xml")).scene();
+        Explanation crate = explain(scene, "past-the-crate");
+        assertEquals(
+                "If moving things cost 2.3 times as much, Kit would vault instead.",
+                PlanWords.flips(crate, new Texts(Locale.ENGLISH)));
+        assertEquals("若搬移物件的代價變為 2.3 倍，Kit 就會改為翻越。", PlanWords.flips(crate, new Texts(Locale.TRADITIONAL_CHINESE)));
     }
 
     @Test
