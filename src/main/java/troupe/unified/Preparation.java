@@ -92,10 +92,7 @@ final class Preparation {
     /** Returns the region without the obstacles that the actor may move, built when it is first asked for. */
     Region open() {
         if (open == null) {
-            open = region;
-            for (Movable movable : movables) {
-                open = open.without(movable.number());
-            }
+            open = movables.isEmpty() ? region : region.bare();
         }
         return open;
     }

@@ -146,6 +146,11 @@ public final class Region implements StepRelation {
         return Arrays.equals(changed, movables) ? this : moved(changed);
     }
 
+    /** Returns the region in which no movable obstacle is there. */
+    public Region bare() {
+        return moved(new Solid[movables.length]);
+    }
+
     /**
      * Returns where a movable obstacle stands, empty if it is not there.
      *

@@ -2,6 +2,8 @@ package troupe.grid.region;
 
 import java.util.BitSet;
 import troupe.geometry.Polygon;
+import troupe.grid.GridFrame;
+import troupe.grid.Window;
 import troupe.scene.Ability;
 
 /**
@@ -35,23 +37,51 @@ public final class Triggers {
         Polygon outline = actual.outline(obstacle)
                 .orElseThrow(() -> new IllegalArgumentException(
                         "obstacle " + obstacle + " is not there; needs one that stands in the actual region"));
-        Region back = optimistic.with(obstacle, outline);
+        Window whole = new Window(0, 0, actual.frame().cols(), actual.frame().rows());
+        return of(actual, optimistic, optimistic.with(obstacle, outline), obstacle, whole);
+    }
+
+    /**
+     * Finds the trigger points of an obstacle in a part of the world.
+     *
+     * @param actual the region of a search space, in which the obstacle stands
+     * @param optimistic a region that is the optimistic one in {@code near}
+     * @param back a region that is the optimistic one with the obstacle put back, in {@code near}
+     * @param obstacle its index among the obstacles of the scene
+     * @param near the cells where the two can differ, and one more on each side
+     */
+    public static Triggers of(Region actual, Region optimistic, Region back, int obstacle, Window near) {
         double bottom = actual.obstacle(obstacle).offset();
+        GridFrame frame = actual.frame();
         BitSet found = new BitSet();
-        int[] targets = new int[Region.MAX_NEIGHBOURS];
-        int[] directions = new int[Region.MAX_NEIGHBOURS];
-        for (int q = 0; q < optimistic.size(); q++) {
-            if (!isTaken(back, optimistic, q)) {
-                continue;
-            }
-            int n = optimistic.neighbours(q, targets, directions);
-            for (int i = 0; i < n; i++) {
-                if (isPoint(actual, targets[i], bottom)) {
-                    found.set(targets[i]);
+        for (int row = near.row0(); row < near.row0() + near.rows(); row++) {
+            int first = frame.index(near.col0(), row);
+            for (int base = first; base < optimistic.spanCount(); base += frame.size()) {
+                for (int q = base; q < base + near.cols(); q++) {
+                    if (isTaken(back, optimistic, q)) {
+                        addPoints(actual, optimistic, q, bottom, found);
+                    }
                 }
             }
         }
+        for (int q = optimistic.spanCount(); q < optimistic.size(); q++) {
+            int cell = optimistic.cell(q);
+            if (near.holds(frame.col(cell), frame.row(cell)) && isTaken(back, optimistic, q)) {
+                addPoints(actual, optimistic, q, bottom, found);
+            }
+        }
         return new Triggers(found.stream().toArray());
+    }
+
+    private static void addPoints(Region actual, Region optimistic, int taken, double bottom, BitSet found) {
+        int[] targets = new int[Region.MAX_NEIGHBOURS];
+        int[] directions = new int[Region.MAX_NEIGHBOURS];
+        int n = optimistic.neighbours(taken, targets, directions);
+        for (int i = 0; i < n; i++) {
+            if (isPoint(actual, targets[i], bottom)) {
+                found.set(targets[i]);
+            }
+        }
     }
 
     /** Tells whether a configuration of a region has lost an ability in another one of the same builder. */

@@ -171,12 +171,26 @@ final class Manipulations {
         if (!space.surroundings().canMove(movable)) {
             return new TriggerTable(NOTHING);
         }
-        TriggerTable table = new TriggerTable(Triggers.of(space.region(), space.optimistic(), movable.number())
-                .points());
+        TriggerTable table = new TriggerTable(triggers(space, m).points());
         if (moving.grips()) {
             table.leadByHolds(movable, space.region().frame());
         }
         return table;
+    }
+
+    /** Finds trigger points in regions that are the optimistic one near the obstacle only: what is far stays in place. */
+    private Triggers triggers(SearchSpace space, int m) {
+        Movable movable = moving.movables().get(m);
+        Region optimistic = space.without(m);
+        for (int other = 0; other < near.length; other++) {
+            if (other != m && space.pose(other).isEmpty() && near[other].meets(near[m])) {
+                optimistic = optimistic.without(moving.movables().get(other).number());
+            }
+        }
+        Region back = optimistic == space.without(m)
+                ? space.region()
+                : optimistic.with(movable.number(), movable.obstacle().outline());
+        return Triggers.of(space.region(), optimistic, back, movable.number(), near[m]);
     }
 
     /** Tells whether what was moved last, to make a space, was far from an obstacle before and is now. */
@@ -221,9 +235,8 @@ final class Manipulations {
             return TriggerTable.NONE;
         }
         Movable movable = moving.movables().get(m);
-        Optional<Grip> grip = moving.grips()
-                ? Optional.of(grip(space, movable, trigger, way.get().places()))
-                : Optional.empty();
+        Optional<Grip> grip =
+                moving.grips() ? Optional.of(grip(space, m, trigger, way.get().places())) : Optional.empty();
         Instance instance = new Instance(new Question(
                 movable,
                 space.surroundings(),
@@ -238,11 +251,11 @@ final class Manipulations {
         return attempts.size() - 1;
     }
 
-    private static Grip grip(SearchSpace space, Movable movable, int trigger, BitSet places) {
-        Region region = space.region();
-        int number = movable.number();
-        return new Grip(movable, space.surroundings(), region.without(number), trigger, (pose, stand) -> {
-            Region after = region.with(number, movable.outline(pose));
+    private Grip grip(SearchSpace space, int m, int trigger, BitSet places) {
+        Movable movable = moving.movables().get(m);
+        Region without = space.without(m);
+        return new Grip(movable, space.surroundings(), without, trigger, (pose, stand) -> {
+            Region after = without.with(movable.number(), movable.outline(pose));
             return JourneySearch.isFirm(after, stand) && Reach.leads(after, stand, places);
         });
     }

@@ -26,7 +26,7 @@ public final class SearchSpace {
     private final LegalSteps legal;
     private final List<MoveAttempt> attempts = new ArrayList<>();
     private final TriggerTable[] triggers;
-    private Region optimistic;
+    private final Region[] without;
     private long expanded;
     private long generated;
 
@@ -64,6 +64,7 @@ public final class SearchSpace {
         this.chains = chains;
         this.legal = new LegalSteps(region, costs);
         this.triggers = new TriggerTable[movables.size()];
+        this.without = new Region[movables.size()];
     }
 
     /** Returns the space in which one more obstacle has been moved. */
@@ -72,7 +73,7 @@ public final class SearchSpace {
         changed[movable] = pose;
         Movable moved = movables.get(movable);
         Polygon outline = moved.outline(pose);
-        Region patched = region.with(moved.number(), outline);
+        Region patched = without(movable).with(moved.number(), outline);
         return new SearchSpace(
                 Optional.of(this),
                 newNumber,
@@ -128,30 +129,12 @@ public final class SearchSpace {
         return before;
     }
 
-    /** Returns the region without the movables that have not been moved yet; built when first asked for. */
-    Region optimistic() {
-        if (optimistic == null) {
-            optimistic = before.map(this::changed).orElseGet(this::bare);
+    /** Returns the region without one movable obstacle; built when first asked for. */
+    Region without(int movable) {
+        if (without[movable] == null) {
+            without[movable] = region.without(movables.get(movable).number());
         }
-        return optimistic;
-    }
-
-    private Region changed(SearchSpace from) {
-        Region changed = from.optimistic();
-        for (int m = 0; m < poses.length; m++) {
-            if (poses[m] != from.poses[m]) {
-                changed = changed.with(movables.get(m).number(), movables.get(m).outline(poses[m]));
-            }
-        }
-        return changed;
-    }
-
-    private Region bare() {
-        Region bare = region;
-        for (Movable movable : movables) {
-            bare = bare.without(movable.number());
-        }
-        return bare;
+        return without[movable];
     }
 
     /**
