@@ -1,7 +1,6 @@
 package troupe.unified.manipulation;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import troupe.grid.GridFrame;
@@ -46,13 +45,8 @@ public final class Instance {
     private final OpenList open = new MinHeap(256);
     private final BestFirst search;
 
-    private int size;
-    private int[] cells = new int[256];
-    private int[] turns = new int[256];
-    private int[] parents = new int[256];
-    private int[] stands = new int[256];
-    private long[] costs = new long[256];
-    private int reached = -1;
+    private final PoseLabels labels = new PoseLabels();
+    private int reached = PoseLabels.NONE;
 
     /** Prepares the search; the first expansion takes the pose in which the obstacle stands. */
     public Instance(Question question) {
@@ -82,8 +76,8 @@ public final class Instance {
                 this::expand,
                 new Outcome.Infeasible(movable.obstacle().id() + " cannot be moved out of the way"),
                 Long.MAX_VALUE);
-        label(table.slot(homeCol, homeRow, state(0, question.trigger())), homeCol, homeRow, 0, question.trigger());
-        relabel(0, -1, question.trigger(), 0);
+        int slot = table.slot(homeCol, homeRow, state(0, question.trigger()));
+        take(PoseTable.NONE, slot, PoseLabels.NONE, homeCol, homeRow, 0, question.trigger(), 0);
     }
 
     /** Returns what is asked. */
@@ -120,7 +114,7 @@ public final class Instance {
      */
     public long least() {
         if (reached >= 0) {
-            return costs[reached];
+            return labels.cost(reached);
         }
         return outcome().isRunning() && !open.isEmpty() ? open.firstKey() : Long.MAX_VALUE;
     }
@@ -137,7 +131,7 @@ public final class Instance {
      */
     public long cost() {
         requireFound();
-        return costs[reached];
+        return labels.cost(reached);
     }
 
     /**
@@ -173,41 +167,52 @@ public final class Instance {
     public Transfer transfer() {
         requireFound();
         List<LatticePose> poses = new ArrayList<>();
-        for (int label = reached; label >= 0; label = parents[label]) {
-            poses.add(new LatticePose(cells[label] % cols - homeCol, cells[label] / cols - homeRow, turns[label]));
+        for (int label = reached; label != PoseLabels.NONE; label = labels.parent(label)) {
+            int cell = labels.cell(label);
+            poses.add(new LatticePose(cell % cols - homeCol, cell / cols - homeRow, labels.heading(label)));
         }
         Collections.reverse(poses);
-        int straight = 0;
-        int diagonal = 0;
-        int turned = 0;
-        int straightSteps = 0;
-        int diagonalSteps = 0;
+        Travel travel = new Travel();
         for (int n = 1; n < poses.size(); n++) {
-            LatticePose a = poses.get(n - 1);
-            LatticePose b = poses.get(n);
-            if (a.k() != b.k()) {
-                turned++;
-                int lower = (a.k() + 1) % headings == b.k() ? a.k() : b.k();
-                straightSteps += grip == null ? 0 : grip.straightSteps(lower);
-                diagonalSteps += grip == null ? 0 : grip.diagonalSteps(lower);
-            } else if (a.i() != b.i() && a.j() != b.j()) {
-                diagonal++;
-            } else {
-                straight++;
-            }
+            travel.add(poses.get(n - 1), poses.get(n));
         }
-        double cell = movable.cell();
-        double walked =
-                grip == null ? 0 : (straight + straightSteps) * cell + (diagonal + diagonalSteps) * cell * Math.sqrt(2);
         return new Transfer(
                 movable.number(),
                 grip != null,
                 question.trigger(),
-                stands[reached],
+                labels.stand(reached),
                 poses,
-                (straight + diagonal * Math.sqrt(2)) * cell,
-                turned * movable.turn(),
-                walked);
+                travel.length(travel.straight, travel.diagonal),
+                travel.turned * movable.turn(),
+                grip == null ? 0 : travel.length(travel.walkedStraight, travel.walkedDiagonal));
+    }
+
+    /** Counts moves, so that sums of their lengths do not drift. */
+    private final class Travel {
+        private int straight;
+        private int diagonal;
+        private int turned;
+        private int walkedStraight;
+        private int walkedDiagonal;
+
+        void add(LatticePose a, LatticePose b) {
+            if (a.k() != b.k()) {
+                int lower = (a.k() + 1) % headings == b.k() ? a.k() : b.k();
+                turned++;
+                walkedStraight += grip == null ? 0 : grip.straightSteps(lower);
+                walkedDiagonal += grip == null ? 0 : grip.diagonalSteps(lower);
+            } else if (a.i() != b.i() && a.j() != b.j()) {
+                diagonal++;
+                walkedDiagonal++;
+            } else {
+                straight++;
+                walkedStraight++;
+            }
+        }
+
+        double length(int straightSteps, int diagonalSteps) {
+            return (straightSteps + diagonalSteps * Math.sqrt(2)) * movable.cell();
+        }
     }
 
     private void requireFound() {
@@ -217,15 +222,15 @@ public final class Instance {
     }
 
     private Expander.Verdict expand(int label, long key) {
-        if (key != costs[label]) {
+        if (key != labels.cost(label)) {
             return Expander.Verdict.SKIPPED;
         }
-        int col = cells[label] % cols;
-        int row = cells[label] / cols;
-        int k = turns[label];
+        int col = labels.cell(label) % cols;
+        int row = labels.cell(label) / cols;
+        int k = labels.heading(label);
         int i = col - homeCol;
         int j = row - homeRow;
-        if (!barred.contains(i, j, k) && (grip == null || grip.settles(stands[label], i, j, k))) {
+        if (!barred.contains(i, j, k) && (grip == null || grip.settles(labels.stand(label), i, j, k))) {
             reached = label;
             return Expander.Verdict.GOAL;
         }
@@ -234,7 +239,7 @@ public final class Instance {
         }
         sweeps.choose(i, j, k);
         if (grip != null) {
-            grip.choose(stands[label], i, j, k);
+            grip.choose(labels.stand(label), i, j, k);
         }
         for (int d = 0; d < GridFrame.DIRECTIONS; d++) {
             shift(label, col, row, k, d);
@@ -254,11 +259,11 @@ public final class Instance {
         if (col < 0 || row < 0 || col >= cols || row >= rows) {
             return;
         }
-        int stand = grip == null ? stands[label] : grip.shifted(direction);
+        int stand = grip == null ? labels.stand(label) : grip.shifted(direction);
         if (stand < 0) {
             return;
         }
-        long cost = Prices.sum(costs[label], shiftCosts[direction]);
+        long cost = Prices.sum(labels.cost(label), shiftCosts[direction]);
         int slot = table.slot(col, row, state(k, stand));
         int known = table.get(slot);
         if (isBetter(known, cost)
@@ -271,11 +276,11 @@ public final class Instance {
 
     private void turn(int label, int col, int row, int from, boolean counterClockwise) {
         int k = counterClockwise ? (from + 1 == headings ? 0 : from + 1) : (from == 0 ? headings : from) - 1;
-        int stand = grip == null ? stands[label] : grip.turned(counterClockwise);
+        int stand = grip == null ? labels.stand(label) : grip.turned(counterClockwise);
         if (stand < 0) {
             return;
         }
-        long cost = Prices.sum(costs[label], turnCost(counterClockwise ? from : k));
+        long cost = Prices.sum(labels.cost(label), turnCost(counterClockwise ? from : k));
         int slot = table.slot(col, row, state(k, stand));
         int known = table.get(slot);
         if (isBetter(known, cost)
@@ -302,7 +307,7 @@ public final class Instance {
     }
 
     private boolean isBetter(int known, long cost) {
-        return cost < Prices.BLOCKED && known != UNSUPPORTED && (known < 0 || cost < costs[known]);
+        return cost < Prices.BLOCKED && known != UNSUPPORTED && (known < 0 || cost < labels.cost(known));
     }
 
     private boolean isSupported(int known, int slot, int col, int row, int k) {
@@ -314,29 +319,12 @@ public final class Instance {
     }
 
     private void take(int known, int slot, int parent, int col, int row, int k, int stand, long cost) {
-        int label = known >= 0 ? known : label(slot, col, row, k, stand);
-        relabel(label, parent, stand, cost);
-    }
-
-    private int label(int slot, int col, int row, int k, int stand) {
-        if (size == cells.length) {
-            int capacity = Math.addExact(size, size);
-            cells = Arrays.copyOf(cells, capacity);
-            turns = Arrays.copyOf(turns, capacity);
-            parents = Arrays.copyOf(parents, capacity);
-            stands = Arrays.copyOf(stands, capacity);
-            costs = Arrays.copyOf(costs, capacity);
+        int label = known;
+        if (label < 0) {
+            label = labels.add(row * cols + col, k);
+            table.set(slot, label);
         }
-        cells[size] = row * cols + col;
-        turns[size] = k;
-        table.set(slot, size);
-        return size++;
-    }
-
-    private void relabel(int label, int parent, int stand, long cost) {
-        parents[label] = parent;
-        stands[label] = stand;
-        costs[label] = cost;
+        labels.set(label, parent, stand, cost);
         open.add(label, cost, cost);
     }
 }
