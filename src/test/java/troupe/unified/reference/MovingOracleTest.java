@@ -26,18 +26,18 @@ import troupe.unified.JourneyEngine;
  */
 class MovingOracleTest {
     private static final long FIRST_SEED = Long.getLong("troupe.seed", 1);
-    private static final int SCENES = Integer.getInteger("troupe.scenes", 500);
+    private static final int SCENES = Integer.getInteger("troupe.scenes", 400);
     private static final double TOLERANCE = 1e-6;
 
     @Test
     void wayAndCostAreTheSameWhereNothingCanBeMoved() {
         AtomicIntegerArray solved = new AtomicIntegerArray(2);
-        each(400, seed -> {
+        each(250, seed -> {
             Scene scene = fixed(MovingWorlds.scene(seed, Journey.Manipulation.FREE));
             Answer answer = compare(seed, scene);
             solved.incrementAndGet(answer.isSolved() ? 1 : 0);
         });
-        assertTrue(solved.get(0) > 40 && solved.get(1) > 40, "unsolved and solved: " + solved);
+        assertTrue(solved.get(0) > 25 && solved.get(1) > 25, "unsolved and solved: " + solved);
     }
 
     @Test
@@ -45,7 +45,7 @@ class MovingOracleTest {
         AtomicIntegerArray moved = new AtomicIntegerArray(4);
         AtomicInteger unsolved = new AtomicInteger();
         each(SCENES, seed -> {
-            Answer answer = compare(seed, MovingWorlds.scene(seed, manipulation(seed), false));
+            Answer answer = compare(seed, MovingWorlds.scene(seed, manipulation(seed)));
             moved.incrementAndGet(Math.min(3, answer.moved().size()));
             unsolved.addAndGet(answer.isSolved() ? 0 : 1);
         });
@@ -55,8 +55,8 @@ class MovingOracleTest {
 
     @Test
     void theBoundedOrderingStaysWithinItsWeight() {
-        each(200, seed -> {
-            Scene scene = MovingWorlds.scene(seed, manipulation(seed), false);
+        each(120, seed -> {
+            Scene scene = MovingWorlds.scene(seed, manipulation(seed));
             Journey journey = (Journey) scene.tasks().get(0);
             double least = ExhaustivePlanner.solve(scene, journey).cost();
             double weight = seed % 3 == 0 ? 4 : 1.3;
@@ -71,7 +71,7 @@ class MovingOracleTest {
 
     @Test
     void movableObstaclesAreInTheWayWhereMovingIsSwitchedOff() {
-        each(200, seed -> {
+        each(100, seed -> {
             Scene scene = MovingWorlds.scene(seed, Journey.Manipulation.FREE);
             Journey journey = (Journey) scene.tasks().get(0);
             compare(seed, scene.with(journey.preferring(journey.preferences().with(Ability.MOVE, Preferences.OFF))));
@@ -81,7 +81,7 @@ class MovingOracleTest {
     @Test
     void theBoundOnTheCostToGoIsNoneTooHighInAnySpace() {
         AtomicInteger checked = new AtomicInteger();
-        each(150, seed -> {
+        each(80, seed -> {
             Journey.Manipulation manipulation = manipulation(seed);
             Scene scene = MovingWorlds.scene(seed, manipulation);
             ExhaustivePlanner planner =
@@ -89,7 +89,7 @@ class MovingOracleTest {
             planner.solve();
             checked.addAndGet(planner.checkBounds(7));
         });
-        assertTrue(checked.get() > 2000, "checked " + checked);
+        assertTrue(checked.get() > 1000, "checked " + checked);
     }
 
     private static Journey.Manipulation manipulation(long seed) {

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
-import java.util.Set;
 import troupe.geometry.Polygon;
 import troupe.scene.Ability;
 import troupe.scene.Actor;
@@ -46,8 +45,7 @@ public final class MovingWorlds {
     public static Scene scene(long seed, Journey.Manipulation manipulation, boolean vaults) {
         MovingWorlds made = new MovingWorlds(seed);
         made.build();
-        Actor whole = made.actor();
-        Actor actor = vaults ? whole : whole.without(Set.of(Ability.VAULT));
+        Actor actor = made.actor();
         Scene bare = new Scene(
                 "",
                 new World(made.width, made.depth, made.cell),

@@ -109,35 +109,62 @@ final class Space {
         ground.actor.vault().ifPresent(vault -> {
             for (int level = 0; level < ground.levels.length; level++) {
                 boolean[] candidates = vaultable(level, vault);
-                boolean[] barred = new boolean[ground.cells];
-                for (int at = 0; at < ground.cells; at++) {
-                    int q = spanNear(at, ground.levels[level]);
-                    barred[at] = candidates[at] || q < 0 || (abilities[q] & Ground.WALK) == 0;
+                if (any(candidates)) {
+                    clearThick(level, vault, candidates);
+                    keepStraight(level, true, candidates, vault.reach());
                 }
-                boolean[] thick = Discs.opened(ground, barred, vault.reach() / 2);
-                for (int at = 0; at < ground.cells; at++) {
-                    candidates[at] &= !thick[at];
-                }
-                keepStraight(level, true, candidates, vault.reach());
             }
         });
+    }
+
+    private static boolean any(boolean[] mask) {
+        boolean any = false;
+        for (boolean set : mask) {
+            any |= set;
+        }
+        return any;
+    }
+
+    private void clearThick(int level, Actor.Vault vault, boolean[] candidates) {
+        boolean[] barred = new boolean[ground.cells];
+        for (int at = 0; at < ground.cells; at++) {
+            int q = spanNear(at, ground.levels[level]);
+            barred[at] = candidates[at] || q < 0 || (abilities[q] & Ground.WALK) == 0;
+        }
+        boolean[] thick = Discs.opened(ground, barred, vault.reach() / 2);
+        for (int at = 0; at < ground.cells; at++) {
+            candidates[at] &= !thick[at];
+        }
     }
 
     private void addGaps() {
         ground.actor.stride().ifPresent(stride -> {
             for (int level = 0; level < ground.levels.length; level++) {
-                boolean[] supported = new boolean[ground.cells];
-                for (int at = 0; at < ground.cells; at++) {
-                    int q = spanNear(at, ground.levels[level]);
-                    supported[at] = q >= 0 && ground.kind[q] != Ground.DROP;
+                boolean[] unsupported = unsupported(level, stride);
+                if (any(unsupported)) {
+                    for (int at = 0; at < ground.cells; at++) {
+                        unsupported[at] = unsupported[at] && headRoom(at, ground.levels[level]);
+                    }
+                    keepStraight(level, false, unsupported, stride.gait());
                 }
-                boolean[] candidates = Discs.closed(ground, supported, stride.gait() / 2);
-                for (int at = 0; at < ground.cells; at++) {
-                    candidates[at] &= !supported[at] && headRoom(at, ground.levels[level]);
-                }
-                keepStraight(level, false, candidates, stride.gait());
             }
         });
+    }
+
+    /** Returns the cells without support near a level that a closing by the gait fills. */
+    private boolean[] unsupported(int level, Actor.Stride stride) {
+        boolean[] supported = new boolean[ground.cells];
+        boolean[] missing = new boolean[ground.cells];
+        for (int at = 0; at < ground.cells; at++) {
+            int q = spanNear(at, ground.levels[level]);
+            supported[at] = q >= 0 && ground.kind[q] != Ground.DROP;
+            missing[at] = !supported[at] && !ground.outside(ground.x(at), ground.y(at));
+        }
+        boolean[] closed = any(missing) ? Discs.closed(ground, supported, stride.gait() / 2) : missing;
+        for (int at = 0; at < ground.cells; at++) {
+            closed[at] &= !supported[at];
+        }
+        return closed;
     }
 
     private boolean headRoom(int at, double floor) {

@@ -26,7 +26,7 @@ class SpaceOracleTest {
     @Test
     void regionsHoldTheSameConfigurationsAndStepsWhateverHasBeenMoved() {
         AtomicInteger crossings = new AtomicInteger();
-        LongStream.range(FIRST_SEED, FIRST_SEED + 250).parallel().forEach(seed -> {
+        LongStream.range(FIRST_SEED, FIRST_SEED + 150).parallel().forEach(seed -> {
             boolean layered = seed % 5 == 0;
             Scene scene = layered
                     ? RandomScenes.layered(seed, 3.5, 0.25)
@@ -52,13 +52,13 @@ class SpaceOracleTest {
                             compare("seed " + seed + ", change " + change, region, new Space(ground, outlines)));
                 }
             }
-            if (Boolean.getBoolean("widest") && builder.widest() != builder.region()) {
+            if (builder.widest() != builder.region()) {
                 Space widest = Space.widest(
                         ground, new Polygon[outlines.length], actor.vault().isPresent());
                 crossings.addAndGet(compare("seed " + seed + ", widest", builder.widest(), widest));
             }
         });
-        assertTrue(crossings.get() > 1000, "only " + crossings + " crossings");
+        assertTrue(crossings.get() > 1500, "only " + crossings + " crossings");
     }
 
     /** Compares all configurations and steps, and returns how many are crossings. */
