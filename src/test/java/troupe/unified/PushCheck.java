@@ -125,6 +125,9 @@ final class PushCheck {
                 new Point(region.x(transfer.to()), region.y(transfer.to())),
                 region.elevation(transfer.from()));
         double floor = carried.floor();
+        for (Pose pose : carried.poses()) {
+            HaulCheck.supported(scene, which + ": " + obstacle.id(), obstacle.outline(), pose, obstacle.offset());
+        }
         for (int n = 1; n < carried.poses().size(); n++) {
             double turn = carried.poses().get(n).headingRad()
                     - carried.poses().get(n - 1).headingRad();

@@ -147,7 +147,9 @@ final class RunCheck {
             if (!inTheWay) {
                 continue;
             }
-            if (o.top() < from + vault.minHeight() - SLACK || o.top() > from + vault.maxHeight() + SLACK) {
+            boolean vaultable =
+                    o.top() >= from + vault.minHeight() - SLACK && o.top() <= from + vault.maxHeight() + SLACK;
+            if (!vaultable && distance(o.outline(), x, y) < least(actor.walk().radius()) - SLACK) {
                 fail(at(f, x, y, z) + " vaults through " + o.id() + ", " + o.offset() + " to " + o.top());
             }
             if (o.outline().contains(x, y) && z < o.top() - SLACK) {

@@ -77,7 +77,10 @@ final class WayBuilder {
         if (ability == Ability.STRIDE) {
             return new Stretch(ability, "", energy, arc.stride(line, from, to));
         }
-        List<Obstacle> over = body.inTheWay(line, from);
+        double most = from + region.actor().vault().orElseThrow().maxHeight() + SweptBody.SLACK;
+        // what cannot be vaulted is no nearer to either end of a step, but may be so to its middle
+        List<Obstacle> over =
+                body.inTheWay(line, from).stream().filter(o -> o.top() <= most).toList();
         return new Stretch(ability, vaulted(line, over), energy, arc.vault(line, from, to, over));
     }
 
