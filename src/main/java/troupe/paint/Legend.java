@@ -106,7 +106,7 @@ public final class Legend {
     private static Entry trace(Theme theme, String text) {
         Sample sample = g -> {
             Path2D box = new Path2D.Double(new Rectangle2D.Double(2, -7, 15, 14));
-            ScenePainter.paintTrace(g, theme, ObstacleLook.Trace.LEFT, box, theme.color(Tone.WOOD));
+            ScenePainter.paintTrace(g, theme, ObstacleLook.Trace.LEFT, box, theme.color(Tone.WOOD), -0.35);
             g.setColor(theme.color(Tone.MOVE));
             g.setStroke(RunPainter.wayStroke());
             g.draw(new Line2D.Double(9.5, 0, SAMPLE - 1, 0));

@@ -150,7 +150,8 @@ public final class ScenePainter {
                 if (look.solid()) {
                     paintObstacle(g, look, shape);
                 } else {
-                    paintTrace(g, theme, look.trace(), shape, look.fill(theme));
+                    double grain = Shapes.grain(look.obstacle().outline());
+                    paintTrace(g, theme, look.trace(), shape, look.fill(theme), grain);
                 }
             }
         }
@@ -170,19 +171,20 @@ public final class ScenePainter {
         if (look.obstacle().movable()) {
             g.setColor(above ? theme.color(Tone.GRAIN, opacity) : edge(look.obstacle(), fill));
             g.setStroke(Theme.line(1.2f));
-            g.draw(Shapes.hatch(shape, GRAIN_SPACING));
+            g.draw(Shapes.hatch(
+                    shape, GRAIN_SPACING, Shapes.grain(look.obstacle().outline())));
         }
         paintOutline(g, look, shape);
     }
 
     /** Paints where a moved obstacle stood, pale with a dashed outline, or the outline alone of where it is going to. */
-    static void paintTrace(Graphics2D g, Theme theme, ObstacleLook.Trace trace, Shape shape, Color fill) {
+    static void paintTrace(Graphics2D g, Theme theme, ObstacleLook.Trace trace, Shape shape, Color fill, double grain) {
         if (trace == ObstacleLook.Trace.LEFT) {
             g.setColor(new Color(fill.getRed(), fill.getGreen(), fill.getBlue(), 56));
             g.fill(shape);
             g.setColor(theme.color(Tone.GRAIN, 0.3));
             g.setStroke(Theme.line(1.2f));
-            g.draw(Shapes.hatch(shape, GRAIN_SPACING));
+            g.draw(Shapes.hatch(shape, GRAIN_SPACING, grain));
         }
         paintTraceOutline(g, theme, trace, shape);
     }

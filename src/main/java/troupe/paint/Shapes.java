@@ -10,10 +10,11 @@ import java.awt.geom.PathIterator;
 import java.awt.geom.Rectangle2D;
 import java.util.Arrays;
 import java.util.Locale;
+import troupe.geometry.Polygon;
 
 /** Makes the shapes, numbers and colours that the painters share. */
 final class Shapes {
-    private static final double HATCH_ANGLE = Math.toRadians(20);
+    private static final double HATCH_ANGLE = Math.toRadians(-20);
 
     private Shapes() {}
 
@@ -28,10 +29,20 @@ final class Shapes {
         return copy;
     }
 
-    /** Returns parallel lines inside a shape of straight edges, {@code spacing} pixels apart, tied to its centre. */
-    static Path2D hatch(Shape shape, double spacing) {
+    /** Returns the direction in radians of the grain of a wooden outline: it turns with the first edge. */
+    static double grain(Polygon outline) {
+        int next = 1 % outline.size();
+        return HATCH_ANGLE + StrictMath.atan2(outline.y(next) - outline.y(0), outline.x(next) - outline.x(0));
+    }
+
+    /**
+     * Returns parallel lines inside a shape of straight edges, {@code spacing} pixels apart, tied to its centre.
+     *
+     * @param angle their direction in radians, counter-clockwise as seen
+     */
+    static Path2D hatch(Shape shape, double spacing, double angle) {
         Rectangle2D box = shape.getBounds2D();
-        AffineTransform turn = AffineTransform.getRotateInstance(-HATCH_ANGLE, box.getCenterX(), box.getCenterY());
+        AffineTransform turn = AffineTransform.getRotateInstance(angle, box.getCenterX(), box.getCenterY());
         Path2D turned = new Path2D.Double(shape, turn);
         Rectangle2D bounds = turned.getBounds2D();
         Path2D lines = new Path2D.Double();
@@ -44,7 +55,7 @@ final class Shapes {
                 lines.lineTo(xs[i + 1], y);
             }
         }
-        lines.transform(AffineTransform.getRotateInstance(HATCH_ANGLE, box.getCenterX(), box.getCenterY()));
+        lines.transform(AffineTransform.getRotateInstance(-angle, box.getCenterX(), box.getCenterY()));
         return lines;
     }
 

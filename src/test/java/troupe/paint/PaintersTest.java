@@ -55,7 +55,7 @@ class PaintersTest {
     void hatchStaysInsideAConcaveOutline() {
         Shape shape = new Clipping(graphics(), new Viewport(0, 0, 1))
                 .polygon(Polygon.of(0, 0, 100, 0, 100, 100, 60, 100, 60, 40, 40, 40, 40, 100, 0, 100));
-        Path2D hatch = Shapes.hatch(shape, 7);
+        Path2D hatch = Shapes.hatch(shape, 7, 0.4);
         double[] at = new double[6];
         double[] from = new double[2];
         int lines = 0;
