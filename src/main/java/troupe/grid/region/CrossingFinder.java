@@ -3,7 +3,6 @@ package troupe.grid.region;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.function.IntPredicate;
 import troupe.geometry.Box;
 import troupe.grid.GridFrame;
 import troupe.grid.Morphology;
@@ -60,31 +59,78 @@ final class CrossingFinder {
         count += keys.length;
     }
 
-    /** Finds the gaps over the cells of an area, from the levels that a condition lets pass. */
-    void gaps(Window area, IntPredicate levels) {
-        if (actor.stride().isEmpty()) {
-            return;
-        }
-        double gait = actor.stride().get().gait();
-        Window around = area.grown(cells(gait), frame);
+    /** Finds all gaps and, unless they are found otherwise, all vaults. */
+    void findAll(boolean vaults) {
+        Window whole = new Window(0, 0, frame.cols(), frame.rows());
         for (int level = 0; level < spans.levels(); level++) {
-            if (survey.takesOff(level) && levels.test(level)) {
-                for (CrossingSurvey.Mask mask : survey.gaps(level)) {
-                    gaps(level, gait, mask, around, area);
-                }
+            gaps(level, whole);
+            if (vaults) {
+                vaults(level, whole);
             }
         }
     }
 
-    /** Finds the vaults over the cells of an area, from the levels that a condition lets pass. */
-    void vaults(Window area, IntPredicate levels) {
-        if (actor.vault().isEmpty()) {
-            return;
-        }
-        for (int level = 0; level < spans.levels(); level++) {
-            if (survey.takesOff(level) && levels.test(level)) {
-                vaults(level, actor.vault().get(), area);
+    /** Finds the gaps of a level over the cells of an area. */
+    void gaps(int level, Window area) {
+        if (actor.stride().isPresent() && survey.takesOff(level)) {
+            double gait = actor.stride().get().gait();
+            Window around = area.grown(cells(gait), frame);
+            for (CrossingSurvey.Mask mask : survey.gaps(level)) {
+                gaps(level, gait, mask, around, area);
             }
+        }
+    }
+
+    /**
+     * Returns where gaps of a level change if only what is in a box of cells changes: those that candidates or ends
+     * in it may belong to.
+     */
+    List<Window> gapsAround(int level, Window box) {
+        List<Window> areas = new ArrayList<>();
+        if (actor.stride().isPresent() && survey.takesOff(level)) {
+            for (CrossingSurvey.Mask mask : survey.gaps(level)) {
+                add(
+                        areas,
+                        mask.window(),
+                        box.grown(1, frame),
+                        actor.stride().get().gait());
+            }
+        }
+        return areas;
+    }
+
+    /**
+     * Returns where vaults of a level change if only what is in a box of cells changes: an opening spreads that by
+     * the reach, and the candidates there, near what can be vaulted now or could be before, pass it on by as much.
+     *
+     * @param changed solids that came or went
+     */
+    List<Window> vaultsAround(int level, Window box, List<Solid> changed) {
+        List<Window> areas = new ArrayList<>();
+        if (actor.vault().isPresent() && survey.takesOff(level)) {
+            double floor = spans.elevation(level);
+            double reach = actor.vault().get().reach();
+            List<Box> boxes =
+                    new ArrayList<>(solids.vaultable(floor, actor.vault().get()));
+            boxes.addAll(solids.about(changed).vaultable(floor, actor.vault().get()));
+            for (Box low : boxes) {
+                add(areas, Window.of(frame, low), box.grown(cells(reach), frame), reach);
+            }
+        }
+        return areas;
+    }
+
+    private void add(List<Window> areas, Window candidates, Window changing, double limit) {
+        Window common = candidates.common(changing);
+        if (common.size() > 0) {
+            areas.add(common.grown(cells(limit), frame));
+        }
+    }
+
+    /** Finds the vaults of a level over the cells of an area. */
+    void vaults(int level, Window area) {
+        if (actor.vault().isPresent() && survey.takesOff(level)) {
+            vaults(level, actor.vault().get(), area);
         }
     }
 

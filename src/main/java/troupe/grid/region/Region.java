@@ -85,11 +85,9 @@ public final class Region implements StepRelation {
         Crossings crossings = Crossings.NONE;
         if (structure.crosses()) {
             CrossingFinder finder = new CrossingFinder(structure, movables, words);
-            finder.gaps(whole, level -> true);
+            finder.findAll(!relaxed);
             if (relaxed) {
                 finder.add(new WidestVaults(structure, words).find());
-            } else {
-                finder.vaults(whole, level -> true);
             }
             crossings = new Crossings(frame.size(), finder.found());
         }

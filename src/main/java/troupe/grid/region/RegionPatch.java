@@ -8,7 +8,6 @@ import troupe.grid.GridFrame;
 import troupe.grid.Window;
 import troupe.grid.layer.Column;
 import troupe.grid.layer.Spans;
-import troupe.scene.Actor;
 
 /**
  * Works out what changes in a region when movable obstacles are put, taken or moved, in the boxes where
@@ -72,26 +71,31 @@ final class RegionPatch {
     }
 
     private void cross(List<Window> boxes, List<Window> steps) {
-        Actor actor = structure.actor();
         for (int level = 0; level < affected.length; level++) {
             affected[level] = affects(level);
         }
-        int gait = cells(actor.stride().map(Actor.Stride::gait).orElse(0.0));
-        int reach = cells(actor.vault().map(Actor.Vault::reach).orElse(0.0));
-        List<Window> gaps = grown(boxes, gait);
-        List<Window> vaults = grown(boxes, 2 * reach);
         CrossingFinder finder = new CrossingFinder(structure, movables, words);
-        gaps.forEach(area -> finder.gaps(area, level -> affected[level]));
-        vaults.forEach(area -> finder.vaults(area, level -> affected[level]));
+        List<List<Window>> gaps = new ArrayList<>();
+        List<List<Window>> vaults = new ArrayList<>();
+        for (int level = 0; level < affected.length; level++) {
+            List<Window> gapsHere = new ArrayList<>();
+            List<Window> vaultsHere = new ArrayList<>();
+            if (affected[level]) {
+                for (Window box : boxes) {
+                    gapsHere.addAll(finder.gapsAround(level, box));
+                    vaultsHere.addAll(finder.vaultsAround(level, box, changed));
+                }
+            }
+            gaps.add(Window.merged(gapsHere, 0));
+            vaults.add(Window.merged(vaultsHere, 0));
+            for (Window area : gaps.get(level)) {
+                finder.gaps(level, area);
+            }
+            for (Window area : vaults.get(level)) {
+                finder.vaults(level, area);
+            }
+        }
         replace(finder.found(), gaps, vaults, steps);
-    }
-
-    private int cells(double limit) {
-        return (int) Math.ceil(limit / frame.cell()) + 1;
-    }
-
-    private List<Window> grown(List<Window> boxes, int margin) {
-        return Window.merged(boxes.stream().map(box -> box.grown(margin, frame)).toList(), 0);
     }
 
     /** Tells whether what changes may change crossings of a level: where they end, what they pass or pass under. */
@@ -112,14 +116,15 @@ final class RegionPatch {
         return false;
     }
 
-    /** Puts what was found in place of the crossings of affected levels in the areas. */
-    private void replace(long[] found, List<Window> gaps, List<Window> vaults, List<Window> steps) {
+    /** Puts what was found in place of the crossings of each level in its areas. */
+    private void replace(long[] found, List<List<Window>> gaps, List<List<Window>> vaults, List<Window> steps) {
         long[] keys = new long[crossings.size() + found.length];
         int count = 0;
         int next = 0;
         Bounds differing = new Bounds();
         for (long key : crossings.keys()) {
-            if (!affected[Crossings.level(key)] || !lies(key, Crossings.kind(key) == Kind.GAP ? gaps : vaults)) {
+            int level = Crossings.level(key);
+            if (!affected[level] || !lies(key, Crossings.kind(key) == Kind.GAP ? gaps.get(level) : vaults.get(level))) {
                 while (next < found.length && found[next] < key) {
                     differing.add(Crossings.cell(found[next]));
                     keys[count++] = found[next++];
