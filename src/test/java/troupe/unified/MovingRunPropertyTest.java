@@ -12,6 +12,7 @@ import troupe.run.Digest;
 import troupe.run.Run;
 import troupe.scene.Actor;
 import troupe.scene.Journey;
+import troupe.scene.Ordering;
 import troupe.scene.Scene;
 import troupe.unified.reference.MovingWorlds;
 import troupe.unified.search.JourneyPath;
@@ -34,6 +35,15 @@ class MovingRunPropertyTest {
         return seed % 5 == 0 ? scene.with(journey.withHeadings(24)) : scene;
     }
 
+    /** Asks now and then for another ordering. */
+    private static Scene ordered(long seed, Scene scene) {
+        Journey journey = journey(scene);
+        if (seed % 6 == 3) {
+            return scene.with(journey.with(new Ordering.Paper(1, 1)));
+        }
+        return seed % 6 == 4 ? scene.with(journey.with(new Ordering.Bounded(1.5))) : scene;
+    }
+
     private static Journey journey(Scene scene) {
         return (Journey) scene.tasks().get(0);
     }
@@ -41,7 +51,9 @@ class MovingRunPropertyTest {
     @Test
     void whatIsMovedMeetsNothingAndNeitherDoesWhoMovesIt() {
         Tally tally = new Tally();
-        LongStream.range(FIRST_SEED, FIRST_SEED + WORLDS).parallel().forEach(seed -> tally.add(seed, scene(seed)));
+        LongStream.range(FIRST_SEED, FIRST_SEED + WORLDS)
+                .parallel()
+                .forEach(seed -> tally.add(seed, ordered(seed, scene(seed))));
         assertTrue(tally.solved() > WORLDS / 3, tally.toString());
         assertTrue(tally.moved.get(1) > WORLDS / 10 && tally.moved.get(2) > 0, tally.toString());
     }
