@@ -8,11 +8,13 @@ import troupe.run.Overlay;
 
 /**
  * Paints one overlay: fields of numbers by a colour map and contour lines, fields of categories by colour
- * and pattern, points as discs, polylines as thin lines. Immutable; serves any thread. The contours are
+ * and pattern, points as discs (smaller where they are dense), polylines as thin lines. Immutable; serves any thread. The contours are
  * traced once, in the constructor.
  */
 public final class OverlayPainter {
     private static final double POINT_RADIUS = 3.2;
+    private static final double LEAST_POINT_RADIUS = 1.4;
+    private static final double POINT_SHARE = 0.62;
     private static final String EXPECTED = "expected-path";
 
     private final Overlay overlay;
@@ -74,20 +76,43 @@ public final class OverlayPainter {
             }
         } else if (overlay instanceof Overlay.Points points) {
             double[] at = points.coordinates();
+            double radius = radius(spacing(at) * view.scale());
             for (int k = 0; k + 1 < at.length; k += 2) {
-                paintPoint(g, theme, view.px(at[k]), view.py(at[k + 1]));
+                paintPoint(g, theme, view.px(at[k]), view.py(at[k + 1]), radius);
             }
         }
         g.dispose();
     }
 
+    /** Returns the least distance in metres of a point from the one before it, infinite if there is none. */
+    private static double spacing(double[] at) {
+        double least = Double.POSITIVE_INFINITY;
+        for (int k = 2; k + 1 < at.length; k += 2) {
+            double apart = Math.hypot(at[k] - at[k - 2], at[k + 1] - at[k - 1]);
+            least = apart > 0 ? Math.min(least, apart) : least;
+        }
+        return least;
+    }
+
+    /** Returns the radius in pixels of points that lie {@code spacing} pixels apart: where they are dense, smaller. */
+    static double radius(double spacing) {
+        return Math.max(LEAST_POINT_RADIUS, Math.min(POINT_RADIUS, spacing * POINT_SHARE));
+    }
+
+    /** Paints a sample of a point. */
     static void paintPoint(Graphics2D g, Theme theme, double x, double y) {
-        Ellipse2D disc = new Ellipse2D.Double(x - POINT_RADIUS, y - POINT_RADIUS, 2 * POINT_RADIUS, 2 * POINT_RADIUS);
+        paintPoint(g, theme, x, y, POINT_RADIUS);
+    }
+
+    private static void paintPoint(Graphics2D g, Theme theme, double x, double y, double radius) {
+        Ellipse2D disc = new Ellipse2D.Double(x - radius, y - radius, 2 * radius, 2 * radius);
         g.setColor(theme.color(Tone.MOVE));
         g.fill(disc);
-        g.setColor(theme.color(Tone.PANEL));
-        g.setStroke(Theme.line(1.2f));
-        g.draw(disc);
+        if (radius == POINT_RADIUS) {
+            g.setColor(theme.color(Tone.PANEL));
+            g.setStroke(Theme.line(1.2f));
+            g.draw(disc);
+        }
     }
 
     /** Returns the colour of polylines of a kind: the skeleton and expected paths their own, others the accent. */

@@ -194,6 +194,13 @@ class PaintersTest {
     }
 
     @Test
+    void densePointsAreSmaller() {
+        assertEquals(3.2, OverlayPainter.radius(Double.POSITIVE_INFINITY), "one point alone");
+        assertEquals(2.48, OverlayPainter.radius(4), 1e-9);
+        assertEquals(1.4, OverlayPainter.radius(0.1));
+    }
+
+    @Test
     void legendNamesTheViewsOfASearchThatMovesThings() {
         assertEquals(
                 List.of("bars the expected path", "trigger points", "expected path"),
