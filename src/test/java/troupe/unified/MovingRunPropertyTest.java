@@ -24,9 +24,9 @@ import troupe.unified.search.JourneyPath;
  */
 class MovingRunPropertyTest {
     private static final long FIRST_SEED = Long.getLong("troupe.seed", 10_001);
-    private static final int WORLDS = Integer.getInteger("troupe.worlds", 200);
+    private static final int WORLDS = Integer.getInteger("troupe.worlds", 300);
     private static final int LAYERED = WORLDS / 8;
-    private static final int SLICED = 40;
+    private static final int SLICED = WORLDS / 6;
 
     private static Scene scene(long seed) {
         Journey.Manipulation manipulation = seed % 2 == 0 ? Journey.Manipulation.FREE : Journey.Manipulation.GRIP;
