@@ -107,7 +107,8 @@ public final class MovingWorlds {
                 random.nextBoolean() ? Optional.of(sidestep) : Optional.empty(),
                 random.nextInt(5) < 2 ? Optional.of(stride) : Optional.empty(),
                 random.nextInt(5) < 2 ? Optional.of(vault) : Optional.empty(),
-                Optional.of(new Actor.Move(between(0.05, 0.5), between(0.01, 0.1), 0.5)));
+                Optional.of(
+                        new Actor.Move(between(0.05, 0.6), random.nextBoolean() ? 0.002 : between(0.01, 0.1), 0.5)));
     }
 
     private Preferences preferences() {
