@@ -84,33 +84,26 @@ final class Neighbours {
 
     /** Finds the legal neighbours of an open configuration, ascending by direction, then id. */
     int of(int q, int cell, int[] targets, int[] directions) {
-        int word = q < spanCount ? words.get(q) : 0;
-        if (q < spanCount && (word & Words.STANDING) == 0) {
+        return q < spanCount ? ofSpan(q, cell, targets, directions) : ofCrossing(q, cell, targets, directions);
+    }
+
+    private int ofSpan(int q, int cell, int[] targets, int[] directions) {
+        int word = words.get(q);
+        if ((word & Words.STANDING) == 0) {
             return 0;
         }
         int count = 0;
-        boolean onSheet = q < spanCount && (word & Words.ELSEWHERE) == 0;
         for (int d = 0; d < GridFrame.DIRECTIONS; d++) {
             int to = cell + offsets[d];
-            if (onSheet) {
-                if ((word >> Words.MOVES + d & 1) != 0) {
-                    targets[count] = q + offsets[d];
-                    directions[count++] = d;
-                }
-            } else if (q < spanCount) {
-                int target = joints.legal(q, cell, d);
-                if (target >= 0) {
-                    targets[count] = target;
-                    directions[count++] = d;
-                }
-            } else {
-                for (int target = to; target < spanCount; target += frame.size()) {
-                    if ((words.get(target) & Words.STANDING) != 0
-                            && legal(q, cell, d, target, targets, directions, count)) {
-                        targets[count] = target;
-                        directions[count++] = d;
-                    }
-                }
+            int target = q + offsets[d];
+            if ((word & Words.ELSEWHERE) != 0) {
+                target = joints.legal(q, cell, d);
+            } else if ((word >> Words.MOVES + d & 1) == 0) {
+                target = -1;
+            }
+            if (target >= 0) {
+                targets[count] = target;
+                directions[count++] = d;
             }
             for (int i = crossings.first(to), end = crossings.first(to + 1); i < end; i++) {
                 if (legal(q, cell, d, spanCount + i, targets, directions, count)) {
@@ -122,18 +115,57 @@ final class Neighbours {
         return count;
     }
 
-    /** Tells whether the step to a target of which one end is a crossing is legal; straight ones come first. */
-    private boolean legal(int q, int cell, int d, int target, int[] targets, int[] directions, int count) {
-        if (!joins(q, cell, target, cell + offsets[d])) {
-            return false;
+    /**
+     * Finds the neighbours of a crossing. One of the same level and kind is joined to all that this one is joined to,
+     * so a diagonal past it is bridged on that side.
+     */
+    private int ofCrossing(int q, int cell, int[] targets, int[] directions) {
+        int level = crossings.level(q - spanCount);
+        byte kind = crossings.kind(q - spanCount);
+        int count = 0;
+        int same = 0;
+        for (int d = 0; d < GridFrame.DIRECTIONS; d++) {
+            int to = cell + offsets[d];
+            int open = d < 4 ? 0 : (1 << d - 4 | 1 << (d - 3 & 3)) & ~same;
+            int column = spans.columnAt()[to];
+            for (int sheet = 0; sheet < spans.sheets() && spans.level(column, sheet) >= 0; sheet++) {
+                int target = sheet * frame.size() + to;
+                if (near(spans.floor(column, sheet), q - spanCount)
+                        && (words.get(target) & Words.STANDING) != 0
+                        && bridged(open, cell, target, to, targets, directions, count)) {
+                    targets[count] = target;
+                    directions[count++] = d;
+                }
+            }
+            int crossing = crossings.find(to, level, kind);
+            if (crossing >= 0 && bridged(open, cell, spanCount + crossing, to, targets, directions, count)) {
+                targets[count] = spanCount + crossing;
+                directions[count++] = d;
+                same |= 1 << d;
+            }
         }
-        return d < 4
-                || bridged(cell, d - 4, target, cell + offsets[d], targets, directions, count)
-                        && bridged(cell, d - 3 & 3, target, cell + offsets[d], targets, directions, count);
+        return count;
+    }
+
+    /** Tells whether something found in each straight direction of a set is joined to the target, too. */
+    private boolean bridged(int open, int cell, int target, int to, int[] targets, int[] directions, int count) {
+        for (int straight = 0; straight < 4; straight++) {
+            if ((open >> straight & 1) != 0 && !bridges(cell, straight, target, to, targets, directions, count)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** Tells whether the step from a span to a crossing is legal; straight neighbours have been found before. */
+    private boolean legal(int q, int cell, int d, int target, int[] targets, int[] directions, int count) {
+        int open = d < 4 ? 0 : 1 << d - 4 | 1 << (d - 3 & 3);
+        return joins(q, cell, target, cell + offsets[d])
+                && bridged(open, cell, target, cell + offsets[d], targets, directions, count);
     }
 
     /** Tells whether something found in a straight direction is joined to the target, too. */
-    private boolean bridged(int cell, int straight, int target, int to, int[] targets, int[] directions, int count) {
+    private boolean bridges(int cell, int straight, int target, int to, int[] targets, int[] directions, int count) {
         for (int k = 0; k < count && directions[k] < 4; k++) {
             if (directions[k] == straight && joins(targets[k], cell + offsets[straight], target, to)) {
                 return true;
