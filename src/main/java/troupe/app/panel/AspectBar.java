@@ -5,6 +5,8 @@ import java.awt.FlowLayout;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import javax.swing.AbstractAction;
 import javax.swing.JList;
@@ -74,7 +76,7 @@ public final class AspectBar extends Panel {
     private FlatButton button(int index, Aspect aspect, int choice) {
         FlatButton button = new FlatButton(look(), FlatButton.Style.CHIP);
         String name = look().texts().get("aspect." + aspect.key(), aspect.key());
-        String text = text(aspect.choices().get(choice));
+        String text = texts(aspect).get(choice);
         button.setName("aspect." + aspect.key());
         button.setText(name + ": " + Ellipsis.fit(text, button.getFontMetrics(button.getFont()), ROOM));
         button.setHint("\u25be");
@@ -95,10 +97,20 @@ public final class AspectBar extends Panel {
                 : look().texts().format(key, String.join(", ", choice.what()));
     }
 
+    /** Returns the choices of an aspect; those that would read the same are told apart by their numbers. */
+    private List<String> texts(Aspect aspect) {
+        List<String> plain = aspect.choices().stream().map(this::text).toList();
+        List<String> texts = new ArrayList<>();
+        for (String text : plain) {
+            boolean shared = Collections.frequency(plain, text) > 1;
+            texts.add(shared ? (texts.size() + 1) + ": " + text : text);
+        }
+        return texts;
+    }
+
     /** Opens the list of what there is to choose from; a click or Enter chooses, Escape does not. */
     private void offer(FlatButton button, int index, Aspect aspect, int choice) {
-        JList<String> list =
-                new JList<>(aspect.choices().stream().map(this::text).toArray(String[]::new));
+        JList<String> list = new JList<>(texts(aspect).toArray(String[]::new));
         list.setName("choices." + aspect.key());
         list.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
         list.setSelectedIndex(choice);

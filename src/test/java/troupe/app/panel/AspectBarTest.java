@@ -56,8 +56,8 @@ class AspectBarTest {
         Await.until("another is chosen", () -> offered(bar).equals(List.of("Space: Crate moved")));
         OnEventThread.run(() -> session.overlays().show("trigger", true));
         Await.until("its instances are offered", () -> offered(bar)
-                .equals(List.of("Space: Crate moved", "Instance: plain")));
-        assertEquals(List.of("搜尋空間: Crate已搬移", "搬移實例: plain"), offered(bar(Locale.TRADITIONAL_CHINESE)));
+                .equals(List.of("Space: Crate moved", "Instance: 1: plain")));
+        assertEquals(List.of("搜尋空間: Crate已搬移", "搬移實例: 1: plain"), offered(bar(Locale.TRADITIONAL_CHINESE)));
     }
 
     @Test
