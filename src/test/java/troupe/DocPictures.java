@@ -35,7 +35,7 @@ public final class DocPictures {
     /** Writes every picture into {@code docs/pictures}. */
     public static void main(String[] arguments) throws SceneException, ExchangeException, IOException {
         Files.createDirectories(FOLDER);
-        plan("courtyard", "to-the-fountain", 0.3);
+        plan("courtyard", "to-the-fountain", 0.69);
         plan("layers", "over-the-bridge", 0.45);
         plan("layers", "under-the-bridge", 0.5);
         plan("apartment", "kitchen-to-bedroom", 0.4);
