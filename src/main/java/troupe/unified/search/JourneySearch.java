@@ -62,6 +62,8 @@ public final class JourneySearch implements Expander {
     private Need need = Need.NOTHING;
     private int waiting = LabelPool.NONE;
     private long waitingKey;
+    private MoveAttempt turning;
+    private Enclosure enclosing;
     private long turnLeft;
     private long turnMost;
     private int reached = LabelPool.NONE;
@@ -257,6 +259,13 @@ public final class JourneySearch implements Expander {
         if (labels.task(label) != LabelPool.NONE) {
             return expandManipulation(label, key);
         }
+        if (isEnclosed(label, space, from, key)) {
+            return Verdict.WAITING;
+        }
+        if (key(label, place) > key) {
+            put(label, key);
+            return Verdict.SKIPPED;
+        }
         if (from == query.goal()) {
             reached = label;
             return Verdict.GOAL;
@@ -278,6 +287,40 @@ public final class JourneySearch implements Expander {
             expandLinked(label, space, from, key);
         }
         return Verdict.EXPANDED;
+    }
+
+    /**
+     * Waits, where the goal is out of reach in this space, until it is known what it costs at least to move
+     * something; tells whether it has to.
+     */
+    private boolean isEnclosed(int label, SearchSpace space, int from, long key) {
+        if (manipulations == null || toGo == null) {
+            return false;
+        }
+        Enclosure enclosure = space.enclosure(from, query.goal());
+        if (!enclosure.isKnown()) {
+            toGo.wantExact(manipulations.wanted(space, enclosure));
+            if (!toGo.isExact()) {
+                await(Need.COST_TO_GO, label, key);
+                return true;
+            }
+            enclosure.setExits(manipulations.exits(space, enclosure));
+        }
+        Optional<MoveAttempt> deciding = enclosure.deciding();
+        deciding.ifPresent(attempt -> {
+            enclosing = enclosure;
+            begin(attempt, attempt.leastOf(enclosure.leastBut(attempt)));
+            await(Need.TURN, label, key);
+        });
+        return deciding.isPresent();
+    }
+
+    /** Begins a turn of an instance, which ends when no pose costs {@code most} or less. */
+    private void begin(MoveAttempt attempt, long most) {
+        turning = attempt;
+        turnLeft = slice;
+        turnMost = Math.max(most, attempt.instance().least());
+        attempt.countTurn();
     }
 
     private Verdict await(Need what, int label, long key) {
@@ -310,9 +353,8 @@ public final class JourneySearch implements Expander {
     private Verdict expandManipulation(int label, long key) {
         MoveAttempt attempt = attempt(label);
         if (attempt.outcome().isRunning()) {
-            turnLeft = slice;
-            turnMost = mostWorth(label, attempt.instance());
-            attempt.countTurn();
+            enclosing = null;
+            begin(attempt, mostWorth(label, attempt));
             return await(Need.TURN, label, key);
         }
         if (attempt.outcome().isFound()) {
@@ -325,33 +367,34 @@ public final class JourneySearch implements Expander {
         return manipulations.attempts().get(labels.task(label));
     }
 
-    /** Works on the instance of the waiting label with at most {@code budget} expansions; returns those made. */
+    /** Works on the instance that has its turn with at most {@code budget} expansions; returns those made. */
     private long turn(long budget) {
-        Instance instance = attempt(waiting).instance();
+        Instance instance = turning.instance();
         long done = instance.advance(Math.min(budget, turnLeft), turnMost);
         turnLeft -= done;
         manipulated += done;
         search.charge(done);
         if (!instance.outcome().isRunning() || turnLeft == 0 || instance.least() > turnMost) {
             need = Need.NOTHING;
+            if (enclosing != null) {
+                enclosing.update();
+            }
             put(waiting, waitingKey);
         }
         return done;
     }
 
     /** Returns the greatest least cost of an instance with which its label still comes first. */
-    private long mostWorth(int label, Instance instance) {
+    private long mostWorth(int label, MoveAttempt attempt) {
         if (open.isEmpty()) {
             return Long.MAX_VALUE;
         }
         long within = priority.costWithin(labels.state(label), open.firstKey());
-        long most = within == Long.MAX_VALUE ? within : (long) ((within - labels.cost(label)) / share(instance));
-        return Math.max(most, instance.least());
-    }
-
-    /** Returns the share of an instance's cost that is not already in the bound on the cost to go. */
-    private double share(Instance instance) {
-        return toGo == null ? 1 : instance.obstacleShare();
+        if (within == Long.MAX_VALUE) {
+            return within;
+        }
+        long left = within - labels.cost(label);
+        return toGo == null ? left : attempt.leastOf(left);
     }
 
     /** Goes on, with an obstacle moved, in the space where it is. */
@@ -397,14 +440,17 @@ public final class JourneySearch implements Expander {
 
     /** Returns the key of a label; in manipulation the least that it will cost counts as paid. */
     private long key(int label, int place) {
+        long cost = labels.cost(label);
         if (labels.task(label) == LabelPool.NONE) {
-            return priority.key(place, labels.cost(label));
+            boolean bounded = manipulations != null && toGo != null;
+            long extra = bounded
+                    ? space(label).enclosure(labels.state(label), query.goal()).least()
+                    : 0;
+            return priority.key(place, cost, extra);
         }
-        Instance instance = attempt(label).instance();
-        if (instance.outcome() instanceof Outcome.Infeasible) {
-            return Priority.NEVER;
-        }
-        return priority.key(place, labels.cost(label) + (long) (share(instance) * instance.least()));
+        MoveAttempt attempt = attempt(label);
+        long share = toGo == null ? attempt.instance().least() : attempt.share();
+        return share == Long.MAX_VALUE ? Priority.NEVER : priority.key(place, cost + share, 0);
     }
 
     /** Opens a label; in a monotone list, where rounding must not take a key back, not before {@code least}. */

@@ -8,6 +8,9 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.IntStream;
 import troupe.geometry.Box;
 import troupe.grid.GridFrame;
 import troupe.grid.Window;
@@ -104,17 +107,14 @@ final class Manipulations {
      * none if it can. Each has a place in the guiding region, because it is a span.
      */
     int[] wanted(SearchSpace space, int configuration) {
-        int[] all = NOTHING;
         for (int m = 0; m < near.length; m++) {
             int point = point(space, m, configuration);
-            int[] points = point < 0 ? NOTHING : wanted(space.triggers(m), point);
-            if (points.length > 0) {
-                int count = all.length;
-                all = Arrays.copyOf(all, count + points.length);
-                System.arraycopy(points, 0, all, count, points.length);
+            int[] wanted = point < 0 ? NOTHING : wanted(space.triggers(m), point);
+            if (wanted.length > 0) {
+                return wanted;
             }
         }
-        return all;
+        return NOTHING;
     }
 
     private static int[] wanted(TriggerTable table, int point) {
@@ -122,8 +122,9 @@ final class Manipulations {
         if (leader == TriggerTable.UNKNOWN) {
             return table.points();
         }
-        boolean isNew = leader >= 0 && table.attempt(leader) == TriggerTable.UNKNOWN;
-        return isNew ? new int[] {table.points()[leader]} : NOTHING;
+        return leader >= 0 && table.attempt(leader) == TriggerTable.UNKNOWN
+                ? new int[] {table.points()[leader]}
+                : NOTHING;
     }
 
     /** Fills {@code found} with the numbers of the attempts that begin at a configuration; returns how many there are. */
@@ -131,22 +132,77 @@ final class Manipulations {
         int count = 0;
         for (int m = 0; m < near.length; m++) {
             int point = point(space, m, configuration);
-            if (point < 0) {
-                continue;
-            }
-            TriggerTable table = space.triggers(m);
-            if (table.leader(point) == TriggerTable.UNKNOWN) {
-                group(m, table);
-            }
-            int leader = table.leader(point);
-            if (leader >= 0 && table.attempt(leader) == TriggerTable.UNKNOWN) {
-                table.setAttempt(leader, establish(space, m, table.points()[leader]));
-            }
-            if (leader >= 0 && table.attempt(leader) >= 0) {
-                found[count++] = table.attempt(leader);
+            int attempt = point < 0 ? TriggerTable.NONE : attempt(space, m, point);
+            if (attempt >= 0) {
+                found[count++] = attempt;
             }
         }
         return count;
+    }
+
+    /** Returns the number of the attempt that begins at a trigger point, negative if there is none. */
+    private int attempt(SearchSpace space, int m, int point) {
+        TriggerTable table = space.triggers(m);
+        if (table.leader(point) == TriggerTable.UNKNOWN) {
+            group(m, table);
+        }
+        int leader = table.leader(point);
+        if (leader >= 0 && table.attempt(leader) == TriggerTable.UNKNOWN) {
+            table.setAttempt(leader, establish(space, m, table.points()[leader]));
+        }
+        return leader >= 0 ? table.attempt(leader) : TriggerTable.NONE;
+    }
+
+    /** Returns the trigger points whose field must be exact before {@link #exits} can answer for an enclosure. */
+    int[] wanted(SearchSpace space, Enclosure enclosure) {
+        IntStream wanted = IntStream.empty();
+        for (int m = 0; m < near.length; m++) {
+            TriggerTable table = inside(space, m, enclosure);
+            if (table != null) {
+                wanted = IntStream.concat(wanted, Arrays.stream(table.undecided()));
+            }
+        }
+        return wanted.toArray();
+    }
+
+    /** Returns the attempts that begin in an enclosure. */
+    List<MoveAttempt> exits(SearchSpace space, Enclosure enclosure) {
+        Set<Integer> exits = new TreeSet<>();
+        for (int m = 0; m < near.length; m++) {
+            TriggerTable table = inside(space, m, enclosure);
+            for (int point = 0; table != null && point < table.points().length; point++) {
+                if (enclosure.holds(table.points()[point])) {
+                    exits.add(attempt(space, m, point));
+                }
+            }
+        }
+        exits.remove(TriggerTable.NONE);
+        return exits.stream().map(attempts::get).toList();
+    }
+
+    /** Returns the trigger points of a movable if it has not been moved and an enclosure comes near it, else null. */
+    private TriggerTable inside(SearchSpace space, int m, Enclosure enclosure) {
+        if (space.pose(m).isPresent() || !comesNear(space.region(), near[m], enclosure)) {
+            return null;
+        }
+        if (space.triggers(m) == null) {
+            space.setTriggers(m, table(space, m));
+        }
+        return space.triggers(m);
+    }
+
+    private static boolean comesNear(Region region, Window window, Enclosure enclosure) {
+        GridFrame frame = region.frame();
+        for (int row = window.row0(); row < window.row0() + window.rows(); row++) {
+            for (int cell = frame.index(window.col0(), row), end = cell + window.cols(); cell < end; cell++) {
+                for (int q = cell; q < region.spanCount(); q += frame.size()) {
+                    if (enclosure.holds(q)) {
+                        return true;
+                    }
+                }
+            }
+        }
+        return false;
     }
 
     /** Returns the place of a configuration among the trigger points of a movable, negative if it is none. */

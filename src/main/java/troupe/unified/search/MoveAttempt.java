@@ -68,6 +68,20 @@ public final class MoveAttempt {
         return instance;
     }
 
+    /**
+     * Returns a lower bound in units on what the instance adds to the bound on the cost to go: the obstacle's part
+     * of the least cost in its queue; {@link Long#MAX_VALUE} if it has failed.
+     */
+    long share() {
+        long least = instance.least();
+        return least == Long.MAX_VALUE ? least : (long) (instance.obstacleShare() * least);
+    }
+
+    /** Returns the least cost in its queue at which {@link #share} is {@code share}. */
+    long leastOf(long share) {
+        return share == Long.MAX_VALUE ? share : (long) (share / instance.obstacleShare());
+    }
+
     /** Returns how the instance stands. */
     public Outcome outcome() {
         return instance.outcome();

@@ -10,8 +10,14 @@ interface Priority {
     /** The key of a label from which the goal cannot be reached. */
     long NEVER = Long.MAX_VALUE;
 
-    /** Returns the key of a label at a place with a cost so far in units, from 0. */
-    long key(int place, long cost);
+    /**
+     * Returns the key of a label at a place.
+     *
+     * @param cost the cost so far in units, from 0
+     * @param extra what has to be paid at least besides the bound on the cost to go; {@code Long.MAX_VALUE} if
+     *     nothing leads on
+     */
+    long key(int place, long cost, long extra);
 
     /** Tells whether the key of a place is final; else it is a lower bound that can still rise. */
     boolean isFinal(int place);
@@ -27,8 +33,11 @@ interface Priority {
      */
     record Bound(CostToGo toGo, double weight) implements Priority {
         @Override
-        public long key(int place, long cost) {
-            long paid = weight == 1 ? cost : (long) (cost / weight);
+        public long key(int place, long cost, long extra) {
+            if (extra == Long.MAX_VALUE) {
+                return NEVER;
+            }
+            long paid = (weight == 1 ? cost : (long) (cost / weight)) + extra;
             if (place < 0) {
                 return paid;
             }
@@ -55,7 +64,7 @@ interface Priority {
      */
     record Published(JourneyQuery.Potential potential, JourneyCosts costs, Ordering.Paper weights) implements Priority {
         @Override
-        public long key(int place, long cost) {
+        public long key(int place, long cost, long extra) {
             double metres = place < 0 ? Double.POSITIVE_INFINITY : potential.at(place);
             if (!(metres < Double.POSITIVE_INFINITY)) {
                 return NEVER;

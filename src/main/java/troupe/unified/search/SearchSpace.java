@@ -5,6 +5,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import troupe.geometry.Polygon;
+import troupe.grid.region.Reach;
 import troupe.grid.region.Region;
 import troupe.unified.manipulation.LatticePose;
 import troupe.unified.manipulation.Movable;
@@ -25,6 +26,7 @@ public final class SearchSpace {
     private final ChainTable chains;
     private final LegalSteps legal;
     private final List<MoveAttempt> attempts = new ArrayList<>();
+    private final List<Enclosure> enclosures = new ArrayList<>();
     private final TriggerTable[] triggers;
     private final Region[] without;
     private long expanded;
@@ -159,6 +161,18 @@ public final class SearchSpace {
             }
         }
         return -1;
+    }
+
+    /** Returns what a configuration hangs together with; flooded when a configuration is first asked for in vain. */
+    Enclosure enclosure(int configuration, int goal) {
+        for (Enclosure enclosure : enclosures) {
+            if (enclosure.holds(configuration)) {
+                return enclosure;
+            }
+        }
+        Enclosure flooded = new Enclosure(Reach.from(region, configuration), goal);
+        enclosures.add(flooded);
+        return flooded;
     }
 
     ChainTable chains() {

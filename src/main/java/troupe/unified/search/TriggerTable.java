@@ -1,6 +1,7 @@
 package troupe.unified.search;
 
 import java.util.Arrays;
+import java.util.stream.IntStream;
 import troupe.geometry.Point;
 import troupe.grid.GridFrame;
 import troupe.unified.manipulation.Movable;
@@ -84,6 +85,14 @@ final class TriggerTable {
     /** Returns the number of the attempt of a leader, {@link #NONE} or {@link #UNKNOWN}. */
     int attempt(int leader) {
         return attempts[leader];
+    }
+
+    /** Returns the points whose leader is not known, and the leaders whose attempt has not been made yet. */
+    int[] undecided() {
+        return IntStream.range(0, points.length)
+                .filter(i -> leaders[i] == UNKNOWN || leaders[i] == i && attempts[i] == UNKNOWN)
+                .map(i -> points[i])
+                .toArray();
     }
 
     void setAttempt(int leader, int attempt) {
