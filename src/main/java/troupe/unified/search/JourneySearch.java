@@ -47,6 +47,7 @@ public final class JourneySearch implements Expander {
     private final BestFirst search;
     private final SearchSpace base;
     private final Manipulations manipulations;
+    private final Enclosures enclosures;
     private final int slice;
     private final int[] found;
 
@@ -62,10 +63,8 @@ public final class JourneySearch implements Expander {
     private Need need = Need.NOTHING;
     private int waiting = LabelPool.NONE;
     private long waitingKey;
-    private MoveAttempt turning;
+    private Turn turn;
     private Enclosure enclosing;
-    private long turnLeft;
-    private long turnMost;
     private int reached = LabelPool.NONE;
     private long manipulated;
 
@@ -119,6 +118,7 @@ public final class JourneySearch implements Expander {
         manipulations = moving.isPossible()
                 ? new Manipulations(moving, costs, new ExpectedPaths(guide, descent, costs, published), base)
                 : null;
+        enclosures = moving.isPossible() && toGo != null ? new Enclosures(manipulations, toGo, query.goal()) : null;
         slice = moving.slice();
         found = new int[moving.movables().size()];
         search = new BestFirst(open, this, NO_WAY, query.expansions());
@@ -154,7 +154,7 @@ public final class JourneySearch implements Expander {
                     put(waiting, waitingKey);
                 }
             } else if (need == Need.TURN) {
-                left -= turn(left);
+                left -= takeTurn(left);
             } else {
                 long before = search.expanded();
                 search.step(left);
@@ -294,33 +294,21 @@ public final class JourneySearch implements Expander {
      * something; tells whether it has to.
      */
     private boolean isEnclosed(int label, SearchSpace space, int from, long key) {
-        if (manipulations == null || toGo == null) {
+        if (enclosures == null) {
             return false;
         }
-        Enclosure enclosure = space.enclosure(from, query.goal());
-        if (!enclosure.isKnown()) {
-            toGo.wantExact(manipulations.wanted(space, enclosure));
-            if (!toGo.isExact()) {
-                await(Need.COST_TO_GO, label, key);
-                return true;
-            }
-            enclosure.setExits(manipulations.exits(space, enclosure));
+        Enclosure enclosure = enclosures.of(space, from);
+        if (!enclosures.isKnown(space, enclosure)) {
+            await(Need.COST_TO_GO, label, key);
+            return true;
         }
         Optional<MoveAttempt> deciding = enclosure.deciding();
-        deciding.ifPresent(attempt -> {
+        if (deciding.isPresent()) {
             enclosing = enclosure;
-            begin(attempt, attempt.leastOf(enclosure.leastBut(attempt)));
+            turn = new Turn(deciding.get(), slice, deciding.get().leastOf(enclosure.others()));
             await(Need.TURN, label, key);
-        });
+        }
         return deciding.isPresent();
-    }
-
-    /** Begins a turn of an instance, which ends when no pose costs {@code most} or less. */
-    private void begin(MoveAttempt attempt, long most) {
-        turning = attempt;
-        turnLeft = slice;
-        turnMost = Math.max(most, attempt.instance().least());
-        attempt.countTurn();
     }
 
     private Verdict await(Need what, int label, long key) {
@@ -354,7 +342,7 @@ public final class JourneySearch implements Expander {
         MoveAttempt attempt = attempt(label);
         if (attempt.outcome().isRunning()) {
             enclosing = null;
-            begin(attempt, mostWorth(label, attempt));
+            turn = new Turn(attempt, slice, mostWorth(label, attempt));
             return await(Need.TURN, label, key);
         }
         if (attempt.outcome().isFound()) {
@@ -368,16 +356,14 @@ public final class JourneySearch implements Expander {
     }
 
     /** Works on the instance that has its turn with at most {@code budget} expansions; returns those made. */
-    private long turn(long budget) {
-        Instance instance = turning.instance();
-        long done = instance.advance(Math.min(budget, turnLeft), turnMost);
-        turnLeft -= done;
+    private long takeTurn(long budget) {
+        long done = turn.advance(budget);
         manipulated += done;
         search.charge(done);
-        if (!instance.outcome().isRunning() || turnLeft == 0 || instance.least() > turnMost) {
+        if (turn.isOver()) {
             need = Need.NOTHING;
             if (enclosing != null) {
-                enclosing.update();
+                enclosures.update(enclosing);
             }
             put(waiting, waitingKey);
         }
