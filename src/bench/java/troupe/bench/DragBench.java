@@ -50,8 +50,8 @@ public class DragBench {
     private static final double RADIUS_M = 0.04;
     private static final int MOMENTS = 24;
 
-    /** Name of the scene and id of what is dragged. */
-    @Param({"courtyard crate", "two-ways cabinet", "three-ways crate", "apartment coffee-table"})
+    /** Name of the scene and, after a colon, the id of what is dragged. */
+    @Param({"courtyard:crate", "two-ways:cabinet", "three-ways:crate", "apartment:coffee-table"})
     public String dragged;
 
     /** Whether the views are made, too. */
@@ -67,7 +67,7 @@ public class DragBench {
     /** Opens the scene and plans it. */
     @Setup
     public void setUp() throws Exception {
-        String[] words = dragged.split(" ");
+        String[] words = dragged.split(":");
         scene = SceneXml.read(Path.of("scenes/unified/" + words[0] + ".xml")).scene();
         obstacle = scene.obstacle(words[1]).orElseThrow();
         EventQueue.invokeAndWait(() -> {
