@@ -1,6 +1,7 @@
 package troupe.grid.region;
 
 import java.util.Arrays;
+import java.util.List;
 import troupe.grid.GridFrame;
 import troupe.grid.Morphology;
 import troupe.grid.Window;
@@ -22,7 +23,8 @@ import troupe.scene.Actor;
  * open spans within a step of the floor that are not joined, {@code Y}. A vault that passes or touches neither
  * X nor Y can thus be walked. Any other one lies within the longest way over an obstacle, {@code maxJump}, and
  * three cells of a cell of X or Y; the crossings are all cells there, if not near what no vault can take, and not
- * kept by the opening. They need not lie on a straight crossing.
+ * kept by the opening. They need not lie on a straight crossing. From a floor from which no movable obstacle can be
+ * vaulted, only cells over fixed solids are vaulted, and only those are crossings.
  */
 final class WidestVaults {
     /** One direction of each pair of opposite ones. */
@@ -33,6 +35,7 @@ final class WidestVaults {
     private final Spans spans;
     private final CrossingSurvey survey;
     private final Solids solids;
+    private final List<Solid> movables;
     private final Words words;
     private final GridFrame frame;
     private final double cell;
@@ -47,6 +50,7 @@ final class WidestVaults {
         this.spans = structure.spans();
         this.survey = structure.survey();
         this.solids = structure.fixed().about(structure.solids(structure.none()));
+        this.movables = Structure.present(structure.movables());
         this.words = words;
         this.frame = spans.frame();
         this.cell = frame.cell();
@@ -57,7 +61,12 @@ final class WidestVaults {
     long[] find() {
         for (int level = 0; level < spans.levels(); level++) {
             if (survey.takesOff(level)) {
-                find(level, survey.takeOff(level).grown(far() + 1, frame));
+                Window window = survey.takeOff(level).grown(far() + 1, frame);
+                if (isMovableVaulted(spans.elevation(level))) {
+                    find(level, window);
+                } else {
+                    findFixed(level, window);
+                }
             }
         }
         return Crossings.sorted(found, count);
@@ -67,6 +76,42 @@ final class WidestVaults {
     private int far() {
         double most = Math.max(vault.maxJump(), vault.reach()) / cell;
         return (int) Math.min(Math.ceil(most) + 3, Math.max(frame.cols(), frame.rows()));
+    }
+
+    /** Tells whether hands can push off from some movable obstacle, wherever it stands, on a vault from a floor. */
+    private boolean isMovableVaulted(double floor) {
+        for (Solid movable : movables) {
+            if (movable.blocks(floor) && movable.inRange(floor, vault)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Finds the crossings where only fixed solids can be vaulted: those over them that the opening does not keep. */
+    private void findFixed(int level, Window window) {
+        byte[] vaultable = new byte[window.size()];
+        if (!solids.vaultable(spans.elevation(level), vault, window, vaultable)) {
+            return;
+        }
+        byte[] barred = new byte[window.size()];
+        findBarred(level, window, barred);
+        open(window.occupied(vaultable), window, barred, new byte[window.size()], vaultable);
+        add(level, window, vaultable);
+    }
+
+    private void add(int level, Window window, byte[] mask) {
+        for (int row = 0, i = 0; row < window.rows(); row++) {
+            int c = (window.row0() + row) * frame.cols() + window.col0();
+            for (int end = i + window.cols(); i < end; i++, c++) {
+                if (mask[i] != 0) {
+                    if (count == found.length) {
+                        found = Arrays.copyOf(found, 2 * count);
+                    }
+                    found[count++] = Crossings.key(c, level, Kind.JUMPABLE);
+                }
+            }
+        }
     }
 
     private void find(int level, Window window) {
@@ -95,17 +140,12 @@ final class WidestVaults {
         byte[] spread = window.cut(seeds, near);
         new Morphology(near.cols(), near.rows(), far()).dilate(spread, far(), false, spread);
         for (int row = 0, i = 0; row < near.rows(); row++) {
-            int c = (near.row0() + row) * frame.cols() + near.col0();
             int own = (near.row0() + row - window.row0()) * window.cols() + near.col0() - window.col0();
-            for (int end = i + near.cols(); i < end; i++, c++, own++) {
-                if (spread[i] != 0 && untakeable[own] == 0) {
-                    if (count == found.length) {
-                        found = Arrays.copyOf(found, 2 * count);
-                    }
-                    found[count++] = Crossings.key(c, level, Kind.JUMPABLE);
-                }
+            for (int end = i + near.cols(); i < end; i++, own++) {
+                spread[i] &= (byte) ~untakeable[own];
             }
         }
+        add(level, near, spread);
     }
 
     /** Sets the cells of a window where one cannot walk within a step of a level. */

@@ -1,11 +1,13 @@
 package troupe.unified.reference;
 
 import troupe.scene.Actor;
+import troupe.scene.Obstacle;
 
 /**
  * Opens, in a space without anything movable, the vaults that may arise once something has been moved: around
  * each thin place where one cannot walk, and each pair of neighbours where one can stand on both and step to
- * neither, as far as a vault over something may lead, but for what no vault can take.
+ * neither, as far as a vault over something may lead, but for what no vault can take. From a floor from which nothing
+ * movable can be vaulted, only over what is fixed.
  */
 final class WidestVaults {
     private final Space space;
@@ -56,10 +58,30 @@ final class WidestVaults {
             }
         }
         boolean[] crossings = around(seeds);
+        if (!isMovableVaulted(elevation)) {
+            for (int at = 0; at < ground.cells; at++) {
+                crossings[at] = space.solidsInWay(at, elevation, vault) == 1;
+            }
+        }
         for (int at = 0; at < ground.cells; at++) {
             crossings[at] &= near[at] && !taken[at];
         }
         return crossings;
+    }
+
+    /** Tells whether a vault from an elevation may pass over something movable, wherever that stands. */
+    private boolean isMovableVaulted(double elevation) {
+        for (Obstacle o : ground.scene.obstacles()) {
+            double above = o.top() - elevation;
+            if (o.movable()
+                    && o.offset() < elevation + ground.actor.bodyHeight() - Ground.SAME
+                    && above > ground.actor.stepHeight() + Ground.SAME
+                    && above >= vault.minHeight() - Ground.SAME
+                    && above <= vault.maxHeight() + Ground.SAME) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** Returns the cells of the box around the places where one can take off from a level, grown as far as vaults go. */
