@@ -107,14 +107,16 @@ final class Manipulations {
      * none if it can. Each has a place in the guiding region, because it is a span.
      */
     int[] wanted(SearchSpace space, int configuration) {
+        int[] all = NOTHING;
         for (int m = 0; m < near.length; m++) {
             int point = point(space, m, configuration);
             int[] wanted = point < 0 ? NOTHING : wanted(space.triggers(m), point);
             if (wanted.length > 0) {
-                return wanted;
+                all = IntStream.concat(Arrays.stream(all), Arrays.stream(wanted))
+                        .toArray();
             }
         }
-        return NOTHING;
+        return all;
     }
 
     private static int[] wanted(TriggerTable table, int point) {
