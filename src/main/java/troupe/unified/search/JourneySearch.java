@@ -220,8 +220,7 @@ public final class JourneySearch implements Expander {
      */
     public double bound(SearchSpace space, int configuration) {
         work.check(generation);
-        int place = space.guided(configuration);
-        long bound = toGo == null || place < 0 ? 0 : toGo.bound(place);
+        long bound = toGo == null ? 0 : toGo.bound(place(space, configuration));
         return bound >= CostToGo.UNREACHABLE ? Double.POSITIVE_INFINITY : costs.joules(bound);
     }
 
@@ -245,9 +244,8 @@ public final class JourneySearch implements Expander {
         }
         SearchSpace space = space(label);
         int from = labels.state(label);
-        int place = space.guided(from);
-        long now = key(label, place);
-        if (now > key) {
+        int place = place(space, from);
+        if (key(label, place) > key) {
             put(label, key);
             return Verdict.SKIPPED;
         }
@@ -424,6 +422,19 @@ public final class JourneySearch implements Expander {
         }
     }
 
+    /**
+     * Returns the place of the guiding region by which a configuration is judged: where a crossing can be walked
+     * there, too, the one that promises less; -1 if there is none.
+     */
+    private int place(SearchSpace space, int configuration) {
+        int place = space.guided(configuration);
+        int beneath = space.beneath(configuration);
+        if (beneath < 0) {
+            return place;
+        }
+        return place < 0 || priority.key(beneath, 0, 0) < priority.key(place, 0, 0) ? beneath : place;
+    }
+
     /** Returns the key of a label; in manipulation the least that it will cost counts as paid. */
     private long key(int label, int place) {
         long cost = labels.cost(label);
@@ -441,7 +452,7 @@ public final class JourneySearch implements Expander {
 
     /** Opens a label; in a monotone list, where rounding must not take a key back, not before {@code least}. */
     private void put(int label, long least) {
-        long key = key(label, space(label).guided(labels.state(label)));
+        long key = key(label, place(space(label), labels.state(label)));
         if (key < Priority.NEVER) {
             open.add(label, monotone ? Math.max(key, least) : key, labels.cost(label));
         }

@@ -140,20 +140,25 @@ public final class SearchSpace {
     }
 
     /**
-     * Returns the configuration of the guiding region that stands for one of this space: the same span, the
-     * crossing over the same cell, or, where an obstacle is crossed that the guiding region is free of, the
-     * span there; -1 if there is none.
+     * Returns the configuration of the guiding region that stands for one of this space: the same span, or the
+     * crossing over the same cell; -1 if there is none.
      */
     int guided(int configuration) {
+        return configuration < region.spanCount() || region == guide
+                ? configuration
+                : guide.crossing(region.cell(configuration), region.level(configuration), region.kind(configuration));
+    }
+
+    /**
+     * Returns the span of the guiding region on which a crossing of this space can be walked, because what is
+     * crossed is not there; -1 if there is none, or the configuration is a span.
+     */
+    int beneath(int configuration) {
         if (configuration < region.spanCount() || region == guide) {
-            return configuration;
-        }
-        int cell = region.cell(configuration);
-        int crossing = guide.crossing(cell, region.level(configuration), region.kind(configuration));
-        if (crossing >= 0) {
-            return crossing;
+            return -1;
         }
         double floor = region.elevation(configuration);
+        int cell = region.cell(configuration);
         for (int q = cell; q < guide.spanCount(); q += guide.frame().size()) {
             if (guide.open(q)
                     && Math.abs(guide.elevation(q) - floor) <= guide.actor().stepHeight() + 1e-9) {
