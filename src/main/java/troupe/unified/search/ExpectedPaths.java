@@ -19,6 +19,8 @@ import troupe.unified.manipulation.Movable;
  */
 final class ExpectedPaths {
     private static final int UNKNOWN = -2;
+    private static final byte MEETS = 1;
+    private static final byte MISSES = 2;
     private static final int WALK = Ability.WALK.bit();
 
     private final Region guide;
@@ -26,16 +28,21 @@ final class ExpectedPaths {
     private final JourneyCosts costs;
     private final boolean published;
     private final int[] next;
+
+    /** For each movable, whether the path from each place is known to meet it or to miss it. */
+    private final byte[][] meeting;
+
     private int[] places = new int[256];
     private int length;
 
-    ExpectedPaths(Region guide, Descent descent, JourneyCosts costs, boolean published) {
+    ExpectedPaths(Region guide, Descent descent, JourneyCosts costs, boolean published, int movables) {
         this.guide = guide;
         this.descent = descent;
         this.costs = costs;
         this.published = published;
         this.next = new int[guide.size()];
         Arrays.fill(next, UNKNOWN);
+        this.meeting = new byte[movables][];
     }
 
     /** Returns the next place; places below an exact one are exact, so what is known stays so. */
@@ -77,6 +84,31 @@ final class ExpectedPaths {
             }
         }
         return Descent.NONE;
+    }
+
+    /**
+     * Tells whether the path from a place ever collides with an obstacle that stands where the scene shows it. The
+     * place must be exact. What is found out is kept for every place on the path.
+     *
+     * @param m the place of the obstacle in the list of movables
+     */
+    boolean meets(int trigger, int m, Movable movable) {
+        if (meeting[m] == null) {
+            meeting[m] = new byte[guide.size()];
+        }
+        byte[] known = meeting[m];
+        int place = trigger;
+        while (place >= 0 && known[place] == 0 && !collides(place, movable)) {
+            place = next(place);
+        }
+        boolean met = place >= 0 && known[place] != MISSES;
+        for (int passed = trigger; passed >= 0 && known[passed] == 0; passed = next(passed)) {
+            known[passed] = met ? MEETS : MISSES;
+            if (passed == place) {
+                break;
+            }
+        }
+        return met;
     }
 
     private boolean collides(int place, Movable movable) {

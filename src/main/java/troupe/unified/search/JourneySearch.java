@@ -115,12 +115,13 @@ public final class JourneySearch implements Expander {
         chains = new LabelChains(work, generation, published);
         base = new SearchSpace(work.region, guide, moving, work.chains, costs);
         Descent descent = published ? new Descent.Steepest(guide, moving.potential()) : new Descent.Cheapest(toGo);
+        found = new int[moving.movables().size()];
         manipulations = moving.isPossible()
-                ? new Manipulations(moving, costs, new ExpectedPaths(guide, descent, costs, published), base)
+                ? new Manipulations(
+                        moving, costs, new ExpectedPaths(guide, descent, costs, published, found.length), base)
                 : null;
         enclosures = moving.isPossible() && toGo != null ? new Enclosures(manipulations, toGo, query.goal()) : null;
         slice = moving.slice();
-        found = new int[moving.movables().size()];
         search = new BestFirst(open, this, NO_WAY, query.expansions());
         install(base, query.start(), LabelPool.NONE, 0, 0, LabelPool.NONE, 0);
     }
@@ -268,13 +269,9 @@ public final class JourneySearch implements Expander {
             reached = label;
             return Verdict.GOAL;
         }
-        if (manipulations != null && isFirm(space.region(), from)) {
-            int[] wanted = manipulations.wanted(space, from);
-            if (wanted.length > 0 && toGo != null) {
-                toGo.wantExact(wanted);
-                if (!toGo.isExact()) {
-                    return await(Need.COST_TO_GO, label, key);
-                }
+        if (manipulations != null && isFirm(space.region(), from) && manipulations.isNear(space, from)) {
+            if (!isExact(new int[] {from}) || !isExact(manipulations.wanted(space, from))) {
+                return await(Need.COST_TO_GO, label, key);
             }
             begin(label, space, from, key);
         }
@@ -307,6 +304,15 @@ public final class JourneySearch implements Expander {
             await(Need.TURN, label, key);
         }
         return deciding.isPresent();
+    }
+
+    /** Tells whether the field is exact at some places; else the cost to go has been asked for them. */
+    private boolean isExact(int[] places) {
+        if (toGo == null || places.length == 0) {
+            return true;
+        }
+        toGo.wantExact(places);
+        return toGo.isExact();
     }
 
     private Verdict await(Need what, int label, long key) {

@@ -102,9 +102,26 @@ final class Manipulations {
         return space;
     }
 
+    /** Tells whether something that has not been moved is so near to a configuration that it may be a trigger point. */
+    boolean isNear(SearchSpace space, int configuration) {
+        for (int m = 0; m < near.length; m++) {
+            if (isNear(space, m, configuration)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private boolean isNear(SearchSpace space, int m, int configuration) {
+        GridFrame frame = space.region().frame();
+        int cell = space.region().cell(configuration);
+        return near[m].holds(frame.col(cell), frame.row(cell)) && space.pose(m).isEmpty();
+    }
+
     /**
-     * Returns the trigger points whose field must be exact before {@link #at} can answer for a configuration;
-     * none if it can. Each has a place in the guiding region, because it is a span.
+     * Returns the trigger points whose field must be exact before {@link #at} can answer for a configuration whose
+     * own field is exact; none if it can. Each has a place in the guiding region, because it is a span. Of an
+     * obstacle that the expected path from there misses the trigger points need not be known.
      */
     int[] wanted(SearchSpace space, int configuration) {
         int[] all = NOTHING;
@@ -209,9 +226,9 @@ final class Manipulations {
 
     /** Returns the place of a configuration among the trigger points of a movable, negative if it is none. */
     private int point(SearchSpace space, int m, int configuration) {
-        GridFrame frame = space.region().frame();
-        int cell = space.region().cell(configuration);
-        if (!near[m].holds(frame.col(cell), frame.row(cell)) || space.pose(m).isPresent()) {
+        if (!isNear(space, m, configuration)
+                || !paths.dependOnSpace()
+                        && !paths.meets(configuration, m, moving.movables().get(m))) {
             return -1;
         }
         if (space.triggers(m) == null) {
@@ -239,13 +256,13 @@ final class Manipulations {
     /** Finds trigger points in regions that are the optimistic one near the obstacle only: what is far stays in place. */
     private Triggers triggers(SearchSpace space, int m) {
         Movable movable = moving.movables().get(m);
-        Region optimistic = space.without(m);
-        for (int other = 0; other < near.length; other++) {
-            if (other != m && space.pose(other).isEmpty() && near[other].meets(near[m])) {
-                optimistic = optimistic.without(moving.movables().get(other).number());
-            }
-        }
-        Region back = optimistic == space.without(m)
+        int[] out = IntStream.range(0, near.length)
+                .filter(other -> other == m || space.pose(other).isEmpty() && near[other].meets(near[m]))
+                .map(other -> moving.movables().get(other).number())
+                .toArray();
+        boolean alone = out.length == 1;
+        Region optimistic = alone ? space.without(m) : space.region().without(out);
+        Region back = alone
                 ? space.region()
                 : optimistic.with(movable.number(), movable.obstacle().outline());
         return Triggers.of(space.region(), optimistic, back, movable.number(), near[m]);
