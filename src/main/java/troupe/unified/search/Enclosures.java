@@ -28,6 +28,14 @@ final class Enclosures {
     }
 
     /**
+     * Returns what has to be paid at least besides the bound on the cost to go from a configuration: 0 where that
+     * is not known yet, {@link Long#MAX_VALUE} if nothing leads out.
+     */
+    long least(SearchSpace space, int configuration) {
+        return space.enclosure(configuration).map(Enclosure::least).orElse(0L);
+    }
+
+    /**
      * Tells whether it is known which instances begin in an enclosure; else {@link CostToGo} has been asked for what
      * that takes.
      */
@@ -68,7 +76,7 @@ final class Enclosures {
      * its trigger point says: the obstacle's part of the least cost, and when it is known where the actor lets
      * go, the whole cost and what the bound changes by.
      */
-    private long gap(MoveAttempt exit) {
+    long gap(MoveAttempt exit) {
         long share = exit.share();
         if (!exit.outcome().isFound()) {
             return share;

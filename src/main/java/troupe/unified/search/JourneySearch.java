@@ -452,8 +452,8 @@ public final class JourneySearch implements Expander {
             return priority.key(place, cost, extra);
         }
         MoveAttempt attempt = attempt(label);
-        long share = toGo == null ? attempt.instance().least() : attempt.share();
-        return share == Long.MAX_VALUE ? Priority.NEVER : priority.key(place, cost + share, 0);
+        long gap = enclosures == null ? attempt.instance().least() : enclosures.gap(attempt);
+        return gap == Long.MAX_VALUE ? Priority.NEVER : priority.key(place, cost + gap, 0);
     }
 
     /** Opens a label; in a monotone list, where rounding must not take a key back, not before {@code least}. */

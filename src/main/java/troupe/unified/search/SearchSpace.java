@@ -168,16 +168,23 @@ public final class SearchSpace {
         return -1;
     }
 
-    /** Returns what a configuration hangs together with; flooded when a configuration is first asked for in vain. */
-    Enclosure enclosure(int configuration, int goal) {
+    /** Returns what a configuration hangs together with, if it is known. */
+    Optional<Enclosure> enclosure(int configuration) {
         for (Enclosure enclosure : enclosures) {
             if (enclosure.holds(configuration)) {
-                return enclosure;
+                return Optional.of(enclosure);
             }
         }
-        Enclosure flooded = new Enclosure(Reach.from(region, configuration), goal);
-        enclosures.add(flooded);
-        return flooded;
+        return Optional.empty();
+    }
+
+    /** Returns what a configuration hangs together with; flooded if it is not known. */
+    Enclosure enclosure(int configuration, int goal) {
+        return enclosure(configuration).orElseGet(() -> {
+            Enclosure flooded = new Enclosure(Reach.from(region, configuration), goal);
+            enclosures.add(flooded);
+            return flooded;
+        });
     }
 
     ChainTable chains() {
