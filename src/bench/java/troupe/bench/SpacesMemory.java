@@ -22,7 +22,7 @@ import troupe.unified.JourneyEngine;
  */
 public final class SpacesMemory {
     private static final int SPACES = 100;
-    private static final int ROOMS = 4;
+    private static final int ROOMS = 6;
 
     private SpacesMemory() {}
 
