@@ -341,7 +341,8 @@ public final class Region implements StepRelation {
         return any;
     }
 
-    private boolean takesOff(int q) {
+    /** Tells whether a configuration is a stable span on which one can walk: where crossings, and the moving of obstacles, begin and end. */
+    public boolean takesOff(int q) {
         return q < spanCount && kind(q) == Kind.STABLE && (abilities(q) & Ability.WALK.bit()) != 0;
     }
 

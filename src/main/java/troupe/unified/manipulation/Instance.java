@@ -100,6 +100,9 @@ public final class Instance {
             }
             search.step(1);
         }
+        if (outcome().isRunning() && open.isEmpty()) {
+            search.step(1);
+        }
         return search.expanded() - before;
     }
 

@@ -1,7 +1,6 @@
 package troupe.unified.search;
 
 import troupe.grid.GridFrame;
-import troupe.grid.region.Kind;
 import troupe.grid.region.Region;
 import troupe.scene.Ability;
 import troupe.search.BestFirst;
@@ -282,18 +281,14 @@ final class CostToGo implements Expander {
         boolean enters = to >= spans;
         if (from >= spans) {
             byte kind = region.kind(from);
-            boolean lands = enters || canTakeOff(to);
+            boolean lands = enters || region.takesOff(to);
             return lands ? costs.crossing(kind, direction) : JourneyCosts.BLOCKED;
         }
         if (enters) {
             byte kind = region.kind(to);
-            boolean takesOff = canTakeOff(from) && region.elevation(from) == region.elevation(to);
+            boolean takesOff = region.takesOff(from) && region.elevation(from) == region.elevation(to);
             return takesOff ? costs.crossing(kind, direction) + costs.takeOffUnits(kind) : JourneyCosts.BLOCKED;
         }
         return standing[(region.abilities(from) & region.abilities(to) & STANDING) << 1 | direction >> 2];
-    }
-
-    private boolean canTakeOff(int span) {
-        return region.kind(span) == Kind.STABLE && (region.abilities(span) & Ability.WALK.bit()) != 0;
     }
 }

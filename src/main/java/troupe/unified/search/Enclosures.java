@@ -51,6 +51,14 @@ final class Enclosures {
         return true;
     }
 
+    /** Returns the exit that decides what leaving costs at least, if that can still rise. */
+    Optional<MoveAttempt> deciding(Enclosure enclosure) {
+        if (enclosure.deciding().filter(exit -> !exit.outcome().isRunning()).isPresent()) {
+            update(enclosure);
+        }
+        return enclosure.deciding();
+    }
+
     /** Takes notice of what the instances of an enclosure have found out since. */
     void update(Enclosure enclosure) {
         List<MoveAttempt> exits = enclosure.exits();

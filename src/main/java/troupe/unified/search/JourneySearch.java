@@ -3,7 +3,6 @@ package troupe.unified.search;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.IntConsumer;
-import troupe.grid.region.Kind;
 import troupe.grid.region.Region;
 import troupe.scene.Ability;
 import troupe.scene.Ordering;
@@ -33,7 +32,6 @@ import troupe.unified.manipulation.Transfer;
  */
 public final class JourneySearch implements Expander {
     private static final Outcome NO_WAY = new Outcome.Infeasible("no legal way leads from the start to the goal");
-    private static final int WALK = Ability.WALK.bit();
 
     private final JourneyWorkspace work;
     private final int generation;
@@ -50,7 +48,6 @@ public final class JourneySearch implements Expander {
     private final Enclosures enclosures;
     private final int slice;
     private final int[] found;
-
     private final boolean monotone;
 
     /** What the label that the search waits for needs. */
@@ -171,7 +168,7 @@ public final class JourneySearch implements Expander {
     }
 
     /** Ends the search with the outcome {@code Cancelled}, unless it has ended already. */
-    public void cancel() {
+    void cancel() {
         search.cancel();
     }
 
@@ -201,10 +198,6 @@ public final class JourneySearch implements Expander {
         return manipulations == null ? List.of(base) : manipulations.spaces();
     }
 
-    private List<MoveAttempt> attempts() {
-        return manipulations == null ? List.of() : manipulations.attempts();
-    }
-
     /** Visits the configuration of every label of a space in the order of making; one may come again. */
     public void forEachLabel(SearchSpace space, IntConsumer visitor) {
         work.check(generation);
@@ -215,10 +208,7 @@ public final class JourneySearch implements Expander {
         }
     }
 
-    /**
-     * Returns a lower bound in J on the cost from a configuration of a space to the goal, infinite if there is no
-     * way.
-     */
+    /** Returns a lower bound in J on the cost from a configuration of a space to the goal, 0 for {@code paper}. */
     public double bound(SearchSpace space, int configuration) {
         work.check(generation);
         long bound = toGo == null ? 0 : toGo.bound(place(space, configuration));
@@ -231,7 +221,8 @@ public final class JourneySearch implements Expander {
             return Optional.empty();
         }
         work.check(generation);
-        return Optional.of(new PathTrace(labels, spaces(), attempts()).path(reached, costs));
+        List<MoveAttempt> attempts = manipulations == null ? List.of() : manipulations.attempts();
+        return Optional.of(new PathTrace(labels, spaces(), attempts).path(reached, costs));
     }
 
     private SearchSpace space(int label) {
@@ -251,8 +242,8 @@ public final class JourneySearch implements Expander {
             return Verdict.SKIPPED;
         }
         if (!priority.isFinal(place)) {
-            long bound = toGo.bound(place);
-            toGo.want(place, open.isEmpty() ? CostToGo.UNREACHABLE : bound + 1 + costs.cheapestStraight());
+            long next = toGo.bound(place) + 1 + costs.cheapestStraight();
+            toGo.want(place, open.isEmpty() ? CostToGo.UNREACHABLE : next);
             return await(Need.COST_TO_GO, label, key);
         }
         if (labels.task(label) != LabelPool.NONE) {
@@ -269,7 +260,7 @@ public final class JourneySearch implements Expander {
             reached = label;
             return Verdict.GOAL;
         }
-        if (manipulations != null && isFirm(space.region(), from) && manipulations.isNear(space, from)) {
+        if (manipulations != null && space.region().takesOff(from) && manipulations.isNear(space, from)) {
             if (!isExact(new int[] {from}) || !isExact(manipulations.wanted(space, from))) {
                 return await(Need.COST_TO_GO, label, key);
             }
@@ -297,10 +288,11 @@ public final class JourneySearch implements Expander {
             await(Need.COST_TO_GO, label, key);
             return true;
         }
-        Optional<MoveAttempt> deciding = enclosure.deciding();
+        Optional<MoveAttempt> deciding = enclosures.deciding(enclosure);
         if (deciding.isPresent()) {
             enclosing = enclosure;
-            turn = new Turn(deciding.get(), slice, deciding.get().leastOf(enclosure.others()));
+            MoveAttempt attempt = deciding.get();
+            turn = new Turn(attempt, slice, attempt.leastOf(enclosure.others()));
             await(Need.TURN, label, key);
         }
         return deciding.isPresent();
@@ -320,13 +312,6 @@ public final class JourneySearch implements Expander {
         waiting = label;
         waitingKey = key;
         return Verdict.WAITING;
-    }
-
-    /** Tells whether an actor that carries no counters can begin or end to move an obstacle at a configuration. */
-    static boolean isFirm(Region region, int configuration) {
-        return configuration < region.spanCount()
-                && region.kind(configuration) == Kind.STABLE
-                && (region.abilities(configuration) & WALK) != 0;
     }
 
     /** Opens a label in manipulation for each attempt that begins where a label stands. */
@@ -393,7 +378,7 @@ public final class JourneySearch implements Expander {
         SearchSpace space = manipulations.after(attempt);
         Transfer transfer = instance.transfer();
         int at = transfer.gripped() ? transfer.to() : labels.state(label);
-        if (isFirm(space.region(), at)) {
+        if (space.region().takesOff(at)) {
             install(space, at, label, labels.cost(label) + instance.cost(), 0, LabelPool.NONE, key);
         }
     }
@@ -445,10 +430,7 @@ public final class JourneySearch implements Expander {
     private long key(int label, int place) {
         long cost = labels.cost(label);
         if (labels.task(label) == LabelPool.NONE) {
-            boolean bounded = manipulations != null && toGo != null;
-            long extra = bounded
-                    ? space(label).enclosure(labels.state(label), query.goal()).least()
-                    : 0;
+            long extra = enclosures == null ? 0 : enclosures.least(space(label), labels.state(label));
             return priority.key(place, cost, extra);
         }
         MoveAttempt attempt = attempt(label);

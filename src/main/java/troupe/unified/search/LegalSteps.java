@@ -2,7 +2,6 @@ package troupe.unified.search;
 
 import troupe.grid.region.Kind;
 import troupe.grid.region.Region;
-import troupe.scene.Ability;
 
 /**
  * Decides whether a label may step to a neighbour, and what it carries on: {@code STABLE} and {@code
@@ -64,7 +63,7 @@ final class LegalSteps {
         begin = from;
         used = length(direction);
         cost = costs.crossing(kind, direction) + costs.takeOffUnits(kind);
-        return canTakeOff(from)
+        return region.takesOff(from)
                 && region.elevation(from) == region.elevation(to)
                 && cost < JourneyCosts.BLOCKED
                 && used <= costs.limit(kind);
@@ -83,11 +82,7 @@ final class LegalSteps {
         begin = NONE;
         used = 0;
         cost = costs.crossing(kind, direction);
-        return canTakeOff(to) && cost < JourneyCosts.BLOCKED && region.straight(begun, to, kind);
-    }
-
-    private boolean canTakeOff(int span) {
-        return region.kind(span) == Kind.STABLE && (region.abilities(span) & Ability.WALK.bit()) != 0;
+        return region.takesOff(to) && cost < JourneyCosts.BLOCKED && region.straight(begun, to, kind);
     }
 
     private double length(int direction) {

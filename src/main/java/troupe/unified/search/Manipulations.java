@@ -331,7 +331,7 @@ final class Manipulations {
         Region without = space.without(m);
         return new Grip(movable, space.surroundings(), without, trigger, (pose, stand) -> {
             Region after = without.with(movable.number(), movable.outline(pose));
-            return JourneySearch.isFirm(after, stand) && Reach.leads(after, stand, places);
+            return after.takesOff(stand) && Reach.leads(after, stand, places);
         });
     }
 
