@@ -9,6 +9,7 @@ import troupe.run.Engine;
 import troupe.run.Json;
 import troupe.run.Report;
 import troupe.run.Run;
+import troupe.run.Simulation;
 import troupe.scene.Scene;
 import troupe.search.Outcome;
 import troupe.work.Tasks;
@@ -16,6 +17,7 @@ import troupe.work.Tasks;
 /** Plans a task under a progress bar, and says what came of it. */
 final class Planning {
     private static final long SLICE = 5_000;
+    private static final long STEPS = 25;
     private static final List<String> STABLE_KEYS =
             List.of("solved", "energy", "cost", "length", "abilities", "moved", "expanded", "times_ms");
 
@@ -23,9 +25,14 @@ final class Planning {
 
     /** Plans a task to its end, or until the person interrupts. */
     static Run plan(Scene scene, String task, Terminal terminal, boolean quiet) {
-        Engine engine = Tasks.start(scene, task);
+        return plan(Tasks.start(scene, task), terminal, quiet);
+    }
+
+    /** Works until an engine has ended, or the person interrupts. */
+    static Run plan(Engine engine, Terminal terminal, boolean quiet) {
+        long slice = engine instanceof Simulation ? STEPS : SLICE;
         try (ProgressBar bar = new ProgressBar(terminal.err(), terminal.interactive() && !quiet, System::nanoTime)) {
-            while (engine.step(SLICE).isRunning()) {
+            while (engine.step(slice).isRunning()) {
                 bar.show(engine.progress());
                 if (terminal.interrupted().getAsBoolean()) {
                     engine.cancel();

@@ -8,6 +8,7 @@ import troupe.run.Run;
 import troupe.run.RunException;
 import troupe.run.RunFile;
 import troupe.work.GoldenRuns;
+import troupe.work.Tasks;
 
 /** Looks at a saved run, or checks it. */
 final class ReplayCommand implements Command {
@@ -49,7 +50,7 @@ final class ReplayCommand implements Command {
     }
 
     private static int show(Run run, Optional<Double> at, Arguments arguments, Terminal terminal)
-            throws UsageException, ExchangeException, IOException {
+            throws UsageException, RunException, ExchangeException, IOException {
         if (arguments.has("--png")) {
             double time = at.orElse(run.frames().duration());
             Pictures.write(run, time, arguments.needed("--png", "FILE"), terminal);
@@ -63,8 +64,8 @@ final class ReplayCommand implements Command {
         return CommandLine.OK;
     }
 
-    private static int verify(Run run, Terminal terminal) {
-        Run again = Planning.plan(run.scene(), run.task(), terminal, false);
+    private static int verify(Run run, Terminal terminal) throws RunException {
+        Run again = Planning.plan(Tasks.again(run), terminal, false);
         Optional<String> difference = GoldenRuns.difference(run, again);
         if (difference.isPresent()) {
             terminal.out().println(run.task() + ": differs: " + difference.get());

@@ -26,9 +26,13 @@ public final class GoldenRuns {
         }
     }
 
-    /** Runs the task of a saved run again, from what the run holds, to its end. */
-    public static Run again(Run saved) {
-        return Tasks.start(saved.scene(), saved.task()).finish();
+    /**
+     * Runs the task of a saved run again, from what the run holds, to its end.
+     *
+     * @throws RunException if the run's inputs do not fit its task
+     */
+    public static Run again(Run saved) throws RunException {
+        return Tasks.again(saved).finish();
     }
 
     /**

@@ -3,6 +3,9 @@ package troupe.work;
 import java.util.List;
 import java.util.function.BiFunction;
 import troupe.run.Engine;
+import troupe.run.Run;
+import troupe.run.RunException;
+import troupe.run.Simulation;
 import troupe.scene.Journey;
 import troupe.scene.Scene;
 import troupe.scene.Task;
@@ -36,6 +39,30 @@ public final class Tasks {
             }
         }
         throw new IllegalStateException("no planner is registered for tasks of kind " + task.kind());
+    }
+
+    /**
+     * Starts the task of a saved run again, with all that was given from outside while it ran.
+     *
+     * @throws RunException if the run's inputs do not fit its task
+     */
+    public static Engine again(Run saved) throws RunException {
+        Engine engine = start(saved.scene(), saved.task());
+        for (Run.Input input : saved.inputs()) {
+            give(engine, input);
+        }
+        return engine;
+    }
+
+    private static void give(Engine engine, Run.Input input) throws RunException {
+        if (!(engine instanceof Simulation simulation)) {
+            throw new RunException("input '" + input.key() + "' of step " + input.step() + ": the task takes no input");
+        }
+        try {
+            simulation.give(input);
+        } catch (IllegalArgumentException e) {
+            throw new RunException("input '" + input.key() + "' of step " + input.step() + ": " + e.getMessage(), e);
+        }
     }
 
     /** Returns the ids of a scene's tasks in document order, comma-separated, or "none". */

@@ -3,6 +3,7 @@ package troupe.work;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
@@ -20,6 +21,7 @@ import troupe.run.FrameRecorder;
 import troupe.run.Frames;
 import troupe.run.Report;
 import troupe.run.Run;
+import troupe.run.RunException;
 import troupe.run.RunFile;
 import troupe.scene.Actor;
 import troupe.scene.Journey;
@@ -47,7 +49,7 @@ class GoldenRunsTest {
     }
 
     @Test
-    void theFirstValueThatDiffersIsNamed() {
+    void theFirstValueThatDiffersIsNamed() throws Exception {
         Run fresh = GoldenRuns.again(run(Outcome.RUNNING, new FrameRecorder(25, List.of()).frames(), 0));
         assertEquals(Optional.empty(), GoldenRuns.difference(fresh, GoldenRuns.again(fresh)));
         int channel = fresh.frames().channel("anna", "y");
@@ -62,7 +64,7 @@ class GoldenRunsTest {
     }
 
     @Test
-    void ofARunThatWasCutOffTheFramesThatAreThereAreCompared() {
+    void ofARunThatWasCutOffTheFramesThatAreThereAreCompared() throws Exception {
         Run fresh = GoldenRuns.again(run(Outcome.RUNNING, new FrameRecorder(25, List.of()).frames(), 0));
         Run cut = run(Outcome.CANCELLED, nudged(fresh.frames(), -1, -1, 5), 0);
         assertEquals(Optional.empty(), GoldenRuns.difference(cut, fresh));
@@ -90,6 +92,21 @@ class GoldenRunsTest {
                 lines.toString());
         assertArrayEquals(before, Files.readAllBytes(equal));
         assertEquals(Optional.empty(), GoldenRuns.difference(RunFile.read(other), fresh));
+    }
+
+    @Test
+    void inputsOfATaskThatTakesNoneAreRefused() {
+        Run bare = run(Outcome.RUNNING, new FrameRecorder(25, List.of()).frames(), 0);
+        Run steered = new Run(
+                bare.scene(),
+                bare.task(),
+                bare.outcome(),
+                bare.report(),
+                bare.frames(),
+                List.of(),
+                List.of(new Run.Input(3, "avatar.bob.x", 1)));
+        RunException refused = assertThrows(RunException.class, () -> GoldenRuns.again(steered));
+        assertEquals("input 'avatar.bob.x' of step 3: the task takes no input", refused.getMessage());
     }
 
     private static Run run(Outcome outcome, Frames frames, double energy) {
