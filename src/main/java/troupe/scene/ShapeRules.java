@@ -115,12 +115,23 @@ final class ShapeRules {
                     found++;
                     findings.warning(
                             next.id(),
-                            "it fills the same space as '" + other.id() + "'",
+                            "it fills the same space as '" + other.id() + "'" + stuck(next, other),
                             "move one of them, or leave it if that is meant");
                 }
             }
             open.add(next);
         }
+    }
+
+    /** Says which of two that overlap is movable and yet cannot be moved. */
+    private static String stuck(Obstacle one, Obstacle other) {
+        if (one.movable() && other.movable()) {
+            return ", so neither can be moved";
+        }
+        if (one.movable()) {
+            return ", so it cannot be moved";
+        }
+        return other.movable() ? ", so '" + other.id() + "' cannot be moved" : "";
     }
 
     /**

@@ -24,11 +24,13 @@ import troupe.scene.SceneChecks;
 import troupe.scene.SceneSource;
 import troupe.scene.Severity;
 import troupe.scene.Task;
+import troupe.unified.manipulation.Movable;
+import troupe.unified.manipulation.Surroundings;
 
 /**
  * Checks a scene as a whole: what {@link SceneChecks} finds, and, where that leaves no error, what needs the
  * grid: a start or a goal that stands in an obstacle, or that no layer carries. A goal under movable obstacles is
- * fine where the actor of the journey may move them.
+ * fine where the actor of the journey may move them. Movable obstacles that rest on nothing are warned of.
  */
 public final class SceneInspection {
     private final Scene scene;
@@ -71,6 +73,7 @@ public final class SceneInspection {
                 inspection.journey(journey);
             }
         }
+        inspection.movables();
         if (source.scene().tasks().isEmpty()) {
             inspection.problems.add(new Problem(
                     Severity.WARNING,
@@ -91,6 +94,25 @@ public final class SceneInspection {
                 scene.actors().isEmpty() ? "ACTOR" : scene.actors().get(0).id();
         return "write <journey id=\"go\" actor=\"" + actor
                 + "\" start=\"X,Y\" goal=\"X,Y\"/> before </scene>, places in metres";
+    }
+
+    /** Warns of movable obstacles that rest on nothing. */
+    private void movables() {
+        Surroundings surroundings = new Surroundings(scene);
+        for (int n = 0; n < scene.obstacles().size(); n++) {
+            Obstacle obstacle = scene.obstacles().get(n);
+            if (obstacle.movable()
+                    && !surroundings.rests(
+                            new Movable(n, obstacle, scene.world().cell(), 1))) {
+                problems.add(new Problem(
+                        Severity.WARNING,
+                        obstacle.id(),
+                        lines.getOrDefault(obstacle.id(), 0),
+                        "it rests on nothing, so it cannot be moved: its bottom is at " + obstacle.offset() + " m",
+                        "put three fifths of it on the ground, or on immovable obstacles of that height, or leave it"
+                                + " if that is meant"));
+            }
+        }
     }
 
     private void journey(Journey journey) {

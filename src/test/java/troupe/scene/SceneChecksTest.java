@@ -74,6 +74,15 @@ class SceneChecksTest {
     }
 
     @Test
+    void saysWhichOfTwoThatOverlapCannotBeMoved() throws Exception {
+        String fixed = "<obstacle id=\"a\" height=\"1\" points=\"1,1 3,1 3,3 1,3\"/>";
+        String crate = "<obstacle id=\"b\" height=\"1\" movable=\"true\" points=\"2,2 4,2 4,4\"/>";
+        String box = "<obstacle id=\"c\" height=\"1\" movable=\"true\" points=\"3,2.5 5,2.5 5,3.5\"/>";
+        finds(Severity.WARNING, "same space as 'a', so it cannot be moved", fixed + crate);
+        finds(Severity.WARNING, "same space as 'b', so neither can be moved", crate + box);
+    }
+
+    @Test
     void stopsLookingForOverlapsInAHeapOfThousands() throws Exception {
         StringBuilder heap = new StringBuilder();
         for (int i = 0; i < 5_000; i++) {

@@ -120,6 +120,20 @@ class SceneInspectionTest {
                 problems(mover, Place.of(1, 1), Place.of(3, 1), near, box("wall", 3.1, 0, 3.5, 3, 0, 2)));
     }
 
+    @Test
+    void warnsOfWhatIsMovableAndRestsOnNothing() {
+        Place goal = Place.of(5, 1);
+        List<Problem> found = problems(goal, movable("hung", 2, 2, 3, 3, 0.5, 1));
+        assertEquals(1, found.size(), found::toString);
+        assertEquals(Severity.WARNING, found.get(0).severity());
+        assertEquals("hung", found.get(0).element());
+        assertEquals(
+                "it rests on nothing, so it cannot be moved: its bottom is at 0.5 m",
+                found.get(0).message());
+        Obstacle shelf = box("shelf", 2, 2, 2.7, 3, 0, 0.5);
+        assertEquals(List.of(), problems(goal, shelf, movable("laid", 2, 2, 3, 3, 0.5, 1)));
+    }
+
     private static void assertProblem(String message, List<Problem> found) {
         assertEquals(1, found.size(), found.toString());
         assertEquals(Severity.ERROR, found.get(0).severity());

@@ -76,8 +76,13 @@ public final class Surroundings {
      */
     public boolean canMove(Movable movable) {
         return !moved[movable.number()]
-                && support(movable).rests(0, 0, 0)
+                && rests(movable)
                 && !carries(movable.number(), movable.obstacle().top());
+    }
+
+    /** Tells whether an obstacle rests where the scene has it, on the ground or on what cannot be moved. */
+    public boolean rests(Movable movable) {
+        return support(movable).rests(0, 0, 0);
     }
 
     private boolean carries(int obstacle, double top) {
