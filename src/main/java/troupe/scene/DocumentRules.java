@@ -21,7 +21,7 @@ final class DocumentRules {
         Set<String> seen = new HashSet<>();
         scene.elements().forEach(element -> {
             String id = element.id();
-            if (!ID.matcher(id).matches()) {
+            if (!isId(id)) {
                 findings.error(
                         id, "the id '" + id + "' is not allowed", "use a letter or _, then letters, digits, . _ -");
             }
@@ -31,6 +31,11 @@ final class DocumentRules {
         });
     }
 
+    /** Tells whether a text may be an id. */
+    static boolean isId(String text) {
+        return ID.matcher(text).matches();
+    }
+
     static void texts(Scene scene, Findings findings) {
         text("", "the title", scene.title(), findings);
         scene.elements().forEach(element -> text(element.id(), "the label", element.label(), findings));
@@ -38,7 +43,7 @@ final class DocumentRules {
         scene.actors().forEach(a -> colour(a.id(), a.colour(), findings));
     }
 
-    private static void text(String id, String what, String text, Findings findings) {
+    static void text(String id, String what, String text, Findings findings) {
         for (int i = 0; i < text.length(); i++) {
             if (!XmlText.isXml(text, i)) {
                 findings.error(
@@ -50,7 +55,7 @@ final class DocumentRules {
         }
     }
 
-    private static void colour(String id, String colour, Findings findings) {
+    static void colour(String id, String colour, Findings findings) {
         if (!COLOUR.matcher(colour).matches()) {
             findings.error(id, "the colour is '" + colour + "'", "write it as #rrggbb, or leave it out");
         }

@@ -61,7 +61,7 @@ final class JourneyRules {
         }
     }
 
-    private static void place(World world, String id, String what, Place place, Findings findings) {
+    static void place(World world, String id, String what, Place place, Findings findings) {
         boolean finite = Double.isFinite(place.x())
                 && Double.isFinite(place.y())
                 && Double.isFinite(place.z().orElse(0));

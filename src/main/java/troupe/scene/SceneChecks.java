@@ -26,6 +26,10 @@ public final class SceneChecks {
             JourneyRules::actors,
             JourneyRules::places,
             JourneyRules::budgets,
+            EncounterRules::actors,
+            EncounterRules::places,
+            EncounterRules::numbers,
+            EncounterRules::avatars,
             ShapeRules::overlaps,
             ShapeRules::carrying);
 

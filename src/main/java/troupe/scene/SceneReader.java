@@ -3,11 +3,13 @@ package troupe.scene;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.net.URL;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.regex.Pattern;
 import javax.xml.XMLConstants;
 import javax.xml.parsers.ParserConfigurationException;
@@ -61,9 +63,13 @@ final class SceneReader extends DefaultHandler {
     private ActorForm form;
     private Names actorNames;
     private Journey journey;
+    private EncounterForm encounter;
+    private final Optional<Path> folder;
 
-    SceneReader(String name) {
+    /** Makes a reader; files beside the scene are looked for in {@code folder}, if there is one. */
+    SceneReader(String name, Optional<Path> folder) {
         this.name = name;
+        this.folder = folder;
     }
 
     /** Tells that an attribute is missing that the validator has already missed. */
@@ -185,6 +191,8 @@ final class SceneReader extends DefaultHandler {
             if (problems.isEmpty()) {
                 throw new IllegalStateException("the schema lets " + e.getMessage() + " be absent", e);
             }
+        } catch (SceneException e) {
+            problem(locator.getLineNumber(), locator.getColumnNumber(), id, "<" + element + ">: " + e.getMessage(), "");
         } catch (IllegalArgumentException e) {
             problem(locator.getLineNumber(), locator.getColumnNumber(), id, "<" + element + ">: " + e.getMessage(), "");
         }
@@ -193,7 +201,7 @@ final class SceneReader extends DefaultHandler {
         }
     }
 
-    private void start(String element, String id, Attributes a) {
+    private void start(String element, String id, Attributes a) throws SceneException {
         switch (element) {
             case "scene" -> title = text(a, "title", "");
             case "world" -> world = world(a);
@@ -202,7 +210,22 @@ final class SceneReader extends DefaultHandler {
             case "actor" -> startActor(id, a);
             case "journey" -> journey = journey(id, a);
             case "prefer" -> prefer(a);
+            case "encounter" -> encounter = new EncounterForm(id, a::getValue, folder);
+            case "avatar", "head", "track", "tracks" -> meet(element, id, a);
             default -> ability(element, a);
+        }
+    }
+
+    /** Reads a part of an encounter; of one that could not be read itself nothing is read. */
+    private void meet(String element, String id, Attributes a) throws SceneException {
+        if (encounter == null) {
+            return;
+        }
+        switch (element) {
+            case "avatar" -> encounter.startAvatar(id, a::getValue);
+            case "head" -> encounter.head(a::getValue);
+            case "track" -> encounter.track(a::getValue);
+            default -> encounter.tracks(a::getValue);
         }
     }
 
@@ -290,6 +313,19 @@ final class SceneReader extends DefaultHandler {
         } else if (element.equals("journey") && journey != null) {
             tasks.add(journey);
             journey = null;
+        } else if (element.equals("avatar") && encounter != null) {
+            endAvatar();
+        } else if (element.equals("encounter") && encounter != null) {
+            tasks.add(encounter.encounter());
+            encounter = null;
+        }
+    }
+
+    private void endAvatar() {
+        try {
+            encounter.endAvatar();
+        } catch (IllegalArgumentException e) {
+            problem(locator.getLineNumber(), locator.getColumnNumber(), "", "<avatar>: " + e.getMessage(), "");
         }
     }
 

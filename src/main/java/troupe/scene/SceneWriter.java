@@ -78,6 +78,42 @@ final class SceneWriter {
     private void task(Task task) {
         if (task instanceof Journey journey) {
             journey(journey);
+        } else if (task instanceof Encounter encounter) {
+            encounter(encounter);
+        }
+    }
+
+    private void encounter(Encounter encounter) {
+        out.append("  <encounter");
+        named(encounter);
+        EncounterForm.attributes(encounter, this::attribute);
+        if (encounter.avatars().isEmpty()) {
+            out.append("/>\n");
+            return;
+        }
+        out.append(">\n");
+        encounter.avatars().forEach(this::avatar);
+        out.append("  </encounter>\n");
+    }
+
+    private void avatar(Avatar avatar) {
+        out.append("    <avatar");
+        EncounterForm.attributes(avatar, this::attribute);
+        if (avatar.motion() instanceof Avatar.Script script && !script.heads().isEmpty()) {
+            out.append(">\n");
+            for (Avatar.Head head : script.heads()) {
+                out.append("      <head");
+                attribute("to", text(head.to()), "");
+                attribute("at", head.at().isPresent() ? text(head.at().getAsDouble()) : "", "");
+                out.append("/>\n");
+            }
+            out.append("    </avatar>\n");
+        } else if (avatar.motion() instanceof Avatar.Recording recording) {
+            out.append(">\n      <track");
+            attribute("points", EncounterForm.points(recording), "");
+            out.append("/>\n    </avatar>\n");
+        } else {
+            out.append("/>\n");
         }
     }
 

@@ -5,6 +5,7 @@ import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Optional;
 
 /**
  * Reads and writes scene files ({@code urn:troupe:scene:1}). What {@link #write(Scene)} wrote reads back
@@ -28,23 +29,29 @@ public final class SceneXml {
      */
     public static SceneSource read(Path file) throws SceneException, IOException {
         try (InputStream in = Files.newInputStream(file)) {
-            return read(in, file.toString());
+            return new SceneReader(
+                            file.toString(), Optional.of(file.toAbsolutePath().getParent()))
+                    .read(bytes(in, file.toString()));
         }
     }
 
     /**
-     * Reads a scene from a stream, which stays open.
+     * Reads a scene from a stream, which stays open. It cannot name files beside it.
      *
      * @param name what to call the source in messages
      * @throws SceneException if it is not a scene, with line and column of each mistake
      * @throws IOException if it cannot be read
      */
     public static SceneSource read(InputStream in, String name) throws SceneException, IOException {
+        return new SceneReader(name, Optional.empty()).read(bytes(in, name));
+    }
+
+    private static byte[] bytes(InputStream in, String name) throws SceneException, IOException {
         byte[] bytes = in.readNBytes(MAX_BYTES + 1);
         if (bytes.length > MAX_BYTES) {
             throw new SceneException(name, 0, "more than " + MAX_BYTES + " bytes", "split the scene");
         }
-        return new SceneReader(name).read(bytes);
+        return bytes;
     }
 
     /**

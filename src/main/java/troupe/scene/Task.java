@@ -1,11 +1,11 @@
 package troupe.scene;
 
 /** Says what to plan. Each planner has one kind of task. */
-public sealed interface Task extends Element permits Journey {
+public sealed interface Task extends Element permits Journey, Encounter {
 
     /** Returns the seed from which every random stream of the task is derived. */
     long seed();
 
-    /** Returns the word for this kind in files: {@code journey}, … */
+    /** Returns the word for this kind in files: {@code journey}, {@code encounter}, … */
     String kind();
 }

@@ -147,7 +147,7 @@ class SceneXmlTest {
             assertTrue(e.getMessage().contains("'" + attribute + "'"), e.getMessage());
         }
         String unknown = refused(scene("<well/>")).getMessage();
-        assertTrue(unknown.contains("One of 'obstacle, ditch, actor, journey' is expected"), unknown);
+        assertTrue(unknown.contains("One of 'obstacle, ditch, actor, journey, encounter' is expected"), unknown);
     }
 
     @Test

@@ -39,7 +39,7 @@ class SettingsTest {
                 "5,6",
                 "cell",
                 "0.1");
-        for (String key : Settings.keys()) {
+        for (String key : Settings.keys(SCENE.task("j").orElseThrow())) {
             Scene changed = Settings.apply(SCENE, "j", key, special.getOrDefault(key, "77"));
             assertNotEquals(SCENE, changed, key);
             assertEquals(changed, SceneXmlTest.read(SceneXml.write(changed)), key);
