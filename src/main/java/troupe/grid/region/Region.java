@@ -94,7 +94,7 @@ public final class Region implements StepRelation {
         new Moves(spans, words, new Joints(structure.actor(), spans, words)).compute(whole);
         Neighbours neighbours = new Neighbours(structure.actor(), spans, crossings, words);
         neighbours.markNear(whole);
-        TargetBand[] bands = new TargetBand[TargetBand.bands(frame)];
+        TargetBand[] bands = new TargetBand[relaxed ? 0 : TargetBand.bands(frame)];
         Arrays.setAll(bands, band -> new TargetBand());
         return new Parts(words, crossings, neighbours, bands);
     }
@@ -144,6 +144,11 @@ public final class Region implements StepRelation {
         return Arrays.equals(changed, movables) ? this : moved(changed);
     }
 
+    /** Tells where a movable obstacle at an outline would bar walking. */
+    WalkBar barred(int obstacle, Polygon outline) {
+        return new WalkBar(structure.placed(obstacle, outline), spans);
+    }
+
     /** Returns the region in which no movable obstacle is there. */
     public Region bare() {
         return moved(new Solid[movables.length]);
@@ -172,6 +177,19 @@ public final class Region implements StepRelation {
     /** Tells whether two elevations lie within a step of each other. */
     boolean steps(double a, double b) {
         return Math.abs(a - b) <= actor.stepHeight() + Column.SAME;
+    }
+
+    /**
+     * Returns the open span over a cell whose floor lies within a step of an elevation, the lowest if there are
+     * more; -1 if there is none. Cost O(sheets).
+     */
+    public int standing(int cell, double elevation) {
+        for (int q = cell; q < spanCount; q += cells) {
+            if (open(q) && steps(spans.floor(q), elevation)) {
+                return q;
+            }
+        }
+        return -1;
     }
 
     /** Returns the actor profile. */
@@ -278,7 +296,7 @@ public final class Region implements StepRelation {
 
     /**
      * Finds all legal neighbours, ascending by direction, then id. Those that no mask gives are found for a band
-     * of rows when the first of them is asked for.
+     * of rows when the first of them is asked for; in the widest region, where few are asked for twice, each time.
      *
      * @param targets receives the neighbours; at least {@link #MAX_NEIGHBOURS} long
      * @param directions receives the direction of each; as long
@@ -287,8 +305,11 @@ public final class Region implements StepRelation {
     @Override
     public int neighbours(int q, int[] targets, int[] directions) {
         if (!plain(q)) {
-            int band = frame.row(cell(q)) / TargetBand.ROWS;
-            return bands[band].of(q, band, source, targets, directions);
+            int cell = cell(q);
+            int band = frame.row(cell) / TargetBand.ROWS;
+            return bands.length == 0
+                    ? source.neighbours().of(q, cell, targets, directions)
+                    : bands[band].of(q, band, source, targets, directions);
         }
         int count = 0;
         int mask = moves(q);
@@ -322,7 +343,7 @@ public final class Region implements StepRelation {
         int dx = frame.col(cell(end)) - frame.col(cell(begin));
         int dy = frame.row(cell(end)) - frame.row(cell(begin));
         int level = spans.level(begin);
-        return Math.abs(elevation(begin) - elevation(end)) <= actor.stepHeight() + Column.SAME
+        return steps(elevation(begin), elevation(end))
                 && (double) dx * dx + (double) dy * dy <= Pruning.squaredCells(limit, frame.cell())
                 && (dx | dy) != 0
                 && passes(cell(begin), dx, dy, level, kind);

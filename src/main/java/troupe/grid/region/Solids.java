@@ -32,6 +32,7 @@ final class Solids {
     private final boolean touching;
     private final List<Solid> all;
     private final double[] grounds;
+    private final double highestGround;
     private final List<Integer> walls;
     private final int[] edge;
 
@@ -50,6 +51,7 @@ final class Solids {
         for (int id = 0; id < grounds.length; id++) {
             grounds[id] = columns.column(id).ground();
         }
+        this.highestGround = Arrays.stream(grounds).max().orElse(0);
         this.walls = new ArrayList<>();
         for (int i = 0; i < rims.size(); i++) {
             if (leftGround(i) != rightGround(i)) {
@@ -75,6 +77,7 @@ final class Solids {
         this.touching = other.touching;
         this.all = all;
         this.grounds = other.grounds;
+        this.highestGround = other.highestGround;
         this.walls = other.walls;
         this.edge = other.edge;
     }
@@ -254,6 +257,9 @@ final class Solids {
         double limit = floor + actor.stepHeight() + Column.SAME;
         worldEdge(window);
         hit(Double.POSITIVE_INFINITY, false, window, mask, highest);
+        if (highestGround <= limit) {
+            return;
+        }
         int[] at = columns.at();
         for (int row = 0; row < window.rows(); row++) {
             int cell = (window.row0() + row) * frame.cols() + window.col0();

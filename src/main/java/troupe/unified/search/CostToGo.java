@@ -1,6 +1,7 @@
 package troupe.unified.search;
 
 import troupe.grid.GridFrame;
+import troupe.grid.region.Kind;
 import troupe.grid.region.Region;
 import troupe.scene.Ability;
 import troupe.search.BestFirst;
@@ -52,6 +53,7 @@ final class CostToGo implements Expander {
     private final int[] stamps;
     private final short[] local;
     private final int[] offsets;
+    private final boolean relaxed;
     private final long[] standing;
     private final int isOpen;
     private final int isSettled;
@@ -88,6 +90,7 @@ final class CostToGo implements Expander {
         stamps = work.toGoStamp;
         local = work.local;
         offsets = work.offsets;
+        this.relaxed = relaxed;
         standing = costs.cheapestTable(relaxed);
         isOpen = JourneyWorkspace.STAMPS * generation;
         isSettled = isOpen + JourneyWorkspace.SETTLED;
@@ -203,7 +206,7 @@ final class CostToGo implements Expander {
         int cell = to < cells ? to : to % cells;
         int row = cell / cols;
         int col = cell - row * cols;
-        int abilities = here >> JourneyWorkspace.ABILITIES;
+        int abilities = here >> JourneyWorkspace.ABILITIES & STANDING;
         long cost = toGo[to];
         boolean calm = (here & JourneyWorkspace.CALM) != 0;
         for (int rest = here & AHEAD[arrival]; rest != 0; rest &= rest - 1) {
@@ -228,10 +231,22 @@ final class CostToGo implements Expander {
         for (int i = 0; i < count; i++) {
             int from = work.targets[i];
             long step = step(from, to, work.directions[i]);
-            if (stamps[from] != isSettled && step < JourneyCosts.BLOCKED) {
+            if (stamps[from] != isSettled && step < JourneyCosts.BLOCKED && !isIdle(from, toGo[to] + step)) {
                 reach(from, toGo[to] + step);
             }
         }
+    }
+
+    /** Tells whether a vault need not be gone on with at some cost, because walking there is known to cost no more. */
+    private boolean isIdle(int configuration, long cost) {
+        if (!relaxed || configuration < spans || region.kind(configuration) != Kind.JUMPABLE) {
+            return false;
+        }
+        int beneath = region.standing(region.cell(configuration), region.elevation(configuration));
+        return beneath >= 0
+                && (local[beneath] & JourneyWorkspace.IDLE) != 0
+                && stamps[beneath] >= isOpen
+                && toGo[beneath] <= cost;
     }
 
     private void reach(int configuration, long cost) {

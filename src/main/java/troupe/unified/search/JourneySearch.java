@@ -102,7 +102,7 @@ public final class JourneySearch implements Expander {
             priority = new Priority.Published(query.potential(), costs, paper);
             open = work.heap;
         } else {
-            boolean relaxed = moving.isPossible() && costs.has(Ability.VAULT);
+            boolean relaxed = work.widest != work.region && costs.has(Ability.VAULT);
             toGo = new CostToGo(work, generation, costs, query.start(), query.goal(), relaxed);
             double weight = query.ordering() instanceof Ordering.Bounded bounded ? bounded.weight() : 1;
             priority = new Priority.Bound(toGo, weight);

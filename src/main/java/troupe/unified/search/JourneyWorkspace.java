@@ -1,7 +1,9 @@
 package troupe.unified.search;
 
 import java.util.Arrays;
+import java.util.BitSet;
 import troupe.grid.GridFrame;
+import troupe.grid.region.Kind;
 import troupe.grid.region.Region;
 import troupe.scene.Ability;
 import troupe.search.BucketQueue;
@@ -34,6 +36,9 @@ public final class JourneyWorkspace {
 
     /** The first of the bits that tell the standing abilities. */
     static final int ABILITIES = 10;
+
+    /** A vault over the place promises no more than walking there, see {@link #findIdle}. */
+    static final int IDLE = 1 << 12;
 
     private static final int STANDING = Ability.WALK.bit() | Ability.SIDESTEP.bit();
     private static final int LAST_GENERATION = (Integer.MAX_VALUE >> 4) - 1;
@@ -92,6 +97,58 @@ public final class JourneyWorkspace {
                 local[q] = (short) local(q);
             }
         }
+        if (widest != region && widest.size() > widest.spanCount()) {
+            findIdle();
+        }
+    }
+
+    /**
+     * Finds where no vault of the widest region needs to be looked at. Over a place that is calm, stable, open to
+     * walking and among nine equal columns, a vault that promises no less than walking there is idle: all that it
+     * is joined to can walk there as well, at no more cost. So a place that has only such ones around goes on as if
+     * there were no vaults: each of them would be reached from it at no less than the place beneath is.
+     */
+    private void findIdle() {
+        int spans = widest.spanCount();
+        int[] columns = widest.spans().columnAt();
+        for (int q = 0; q < spans; q++) {
+            if ((local[q] & 255) == 255 && widest.takesOff(q) && isEven(q, columns)) {
+                local[q] |= IDLE;
+            }
+        }
+        BitSet gaps = new BitSet(spans);
+        for (int q = spans; q < widest.size(); q++) {
+            if (widest.kind(q) == Kind.GAP) {
+                int cell = widest.cell(q);
+                for (int d = 0; d < GridFrame.DIRECTIONS; d++) {
+                    gaps.set(cell + offsets[d]);
+                }
+            }
+        }
+        for (int q = 0; q < spans; q++) {
+            if ((local[q] & (IDLE | PLAIN)) == IDLE && !gaps.get(widest.cell(q)) && hasAround(q, IDLE)) {
+                local[q] |= PLAIN | CALM;
+            }
+        }
+    }
+
+    /** Tells whether the nine columns around a place are the same, and its neighbours allow the same abilities. */
+    private boolean isEven(int q, int[] columns) {
+        int cell = widest.cell(q);
+        boolean even = true;
+        for (int d = 0; even && d < GridFrame.DIRECTIONS; d++) {
+            even = columns[cell + offsets[d]] == columns[cell]
+                    && (local[q + offsets[d]] >> ABILITIES & STANDING) == (local[q] >> ABILITIES & STANDING);
+        }
+        return even;
+    }
+
+    private boolean hasAround(int q, int bit) {
+        boolean all = true;
+        for (int d = 0; all && d < GridFrame.DIRECTIONS; d++) {
+            all = (local[q + offsets[d]] & bit) != 0;
+        }
+        return all;
     }
 
     private int local(int q) {

@@ -329,10 +329,12 @@ final class Manipulations {
     private Grip grip(SearchSpace space, int m, int trigger, BitSet places) {
         Movable movable = moving.movables().get(m);
         Region without = space.without(m);
-        return new Grip(movable, space.surroundings(), without, trigger, (pose, stand) -> {
-            Region after = without.with(movable.number(), movable.outline(pose));
-            return after.takesOff(stand) && Reach.leads(after, stand, places);
-        });
+        return new Grip(
+                movable,
+                space.surroundings(),
+                without,
+                trigger,
+                (pose, stand) -> Reach.leads(without, movable.number(), movable.outline(pose), stand, places));
     }
 
     private Optional<Expected> expected(SearchSpace space, int m, int trigger) {

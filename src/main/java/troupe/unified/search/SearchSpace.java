@@ -157,15 +157,7 @@ public final class SearchSpace {
         if (configuration < region.spanCount() || region == guide) {
             return -1;
         }
-        double floor = region.elevation(configuration);
-        int cell = region.cell(configuration);
-        for (int q = cell; q < guide.spanCount(); q += guide.frame().size()) {
-            if (guide.open(q)
-                    && Math.abs(guide.elevation(q) - floor) <= guide.actor().stepHeight() + 1e-9) {
-                return q;
-            }
-        }
-        return -1;
+        return guide.standing(region.cell(configuration), region.elevation(configuration));
     }
 
     /** Returns what a configuration hangs together with, if it is known. */
