@@ -1,43 +1,37 @@
 package troupe.app;
 
-import java.awt.event.ActionEvent;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.function.Consumer;
-import javax.swing.AbstractAction;
 import javax.swing.Action;
 import javax.swing.JOptionPane;
-import javax.swing.KeyStroke;
 import troupe.app.canvas.Canvas;
-import troupe.app.canvas.Editing;
-import troupe.app.canvas.Hits;
-import troupe.app.canvas.MeasureTool;
-import troupe.app.canvas.PanTool;
-import troupe.app.canvas.PlaceTool;
-import troupe.app.canvas.SelectTool;
-import troupe.app.canvas.Tool;
 import troupe.app.command.Command;
 import troupe.app.command.Commands;
 import troupe.app.document.Listeners;
-import troupe.app.document.SceneDocument;
-import troupe.app.document.SceneEdits;
 import troupe.app.look.Look;
 import troupe.app.look.Texts;
 import troupe.app.play.Playback;
 import troupe.app.session.OverlayChoice;
 import troupe.app.session.Session;
+import troupe.app.tool.DrawBoxTool;
+import troupe.app.tool.DrawJourneyTool;
+import troupe.app.tool.DrawPolygonTool;
+import troupe.app.tool.Editing;
+import troupe.app.tool.Hits;
+import troupe.app.tool.MeasureTool;
+import troupe.app.tool.PanTool;
+import troupe.app.tool.PlaceTool;
+import troupe.app.tool.SelectTool;
+import troupe.app.tool.Tool;
 import troupe.paint.Theme;
-import troupe.paint.Tone;
-import troupe.scene.Element;
-import troupe.scene.Scene;
 
 /** Makes the one list of everything a person can do in a window, and the tools among it. */
 final class StudioCommands implements AutoCloseable {
     private static final double ZOOM = 1.25;
-    private static final double NUDGE = 0.05;
 
     private final StudioWindow window;
     private final Session session;
@@ -61,10 +55,6 @@ final class StudioCommands implements AutoCloseable {
         addPlan();
         addRun();
         commands.add("help", "about", this::about);
-        nudgeBy("LEFT", -1, 0);
-        nudgeBy("RIGHT", 1, 0);
-        nudgeBy("UP", 0, 1);
-        nudgeBy("DOWN", 0, -1);
         take(commands.get("select"));
     }
 
@@ -95,13 +85,10 @@ final class StudioCommands implements AutoCloseable {
     }
 
     private void addEdit() {
-        SceneDocument document = session.document();
-        commands.add("edit", "undo", document.history().undoAction());
-        commands.add("edit", "redo", document.history().redoAction());
-        commands.separate();
-        commands.add("edit", "selectall", this::selectAll);
-        commands.add("edit", "delete", this::delete);
-        commands.separate();
+        EditCommands edits = new EditCommands(session, look, canvas);
+        leave.add(edits::close);
+        edits.addHistory(commands);
+        edits.addSelection(commands);
         commands.add("edit", "search", window::search);
     }
 
@@ -127,12 +114,19 @@ final class StudioCommands implements AutoCloseable {
     }
 
     private void addTools() {
-        Editing editing = new Editing(session.document(), session.selection(), look.texts(), canvas::view);
-        addTool(new SelectTool(editing, look.color(Tone.ACCENT)));
-        addTool(new PanTool((dx, dy) -> canvas.show(canvas.view().panned(dx, dy))));
+        Editing editing = new Editing(
+                session.document(), session.selection(), look, canvas::view, () -> take(commands.get("select")));
+        addTool(new SelectTool(editing));
+        addTool(new DrawPolygonTool(editing, false));
+        addTool(new DrawBoxTool(editing, false));
+        addTool(new DrawBoxTool(editing, true));
+        addTool(new DrawPolygonTool(editing, true));
+        addTool(new DrawJourneyTool(editing, false));
+        addTool(new DrawJourneyTool(editing, true));
         addTool(new PlaceTool(editing, Hits.End.START));
         addTool(new PlaceTool(editing, Hits.End.GOAL));
         addTool(new MeasureTool(look));
+        addTool(new PanTool((dx, dy) -> canvas.show(canvas.view().panned(dx, dy))));
     }
 
     private void addTool(Tool tool) {
@@ -183,49 +177,6 @@ final class StudioCommands implements AutoCloseable {
             at = speeds[i] <= session.playback().speed() ? i : at;
         }
         session.playback().setSpeed(speeds[Math.max(0, Math.min(speeds.length - 1, at + by))]);
-    }
-
-    private void selectAll() {
-        session.selection()
-                .set(session.document()
-                        .shown()
-                        .elements()
-                        .filter(e -> Hits.outline(e).isPresent())
-                        .map(Element::id)
-                        .toList());
-    }
-
-    private void delete() {
-        SceneDocument document = session.document();
-        List<String> ids = session.selection().ids();
-        Scene without = SceneEdits.removed(document.scene(), ids);
-        String name = ids.size() == 1
-                ? look.texts().format("edit.delete", SceneEdits.name(document.scene(), ids.get(0)))
-                : look.texts().format("edit.delete.several", ids.size());
-        document.commit(name, without);
-    }
-
-    private void nudgeBy(String key, int right, int up) {
-        canvas.getInputMap().put(KeyStroke.getKeyStroke(key), "nudge." + key);
-        canvas.getActionMap().put("nudge." + key, new AbstractAction() {
-            @Override
-            public void actionPerformed(ActionEvent event) {
-                nudge(right, up);
-            }
-        });
-    }
-
-    private void nudge(int right, int up) {
-        SceneDocument document = session.document();
-        List<String> ids = session.selection().ids();
-        Scene moved = SceneEdits.shifted(document.scene(), ids, right * NUDGE, up * NUDGE);
-        for (String id : ids) {
-            moved = moved.element(id).map(SceneEdits::tidied).map(moved::with).orElse(moved);
-        }
-        String name = ids.size() == 1
-                ? look.texts().format("edit.move", SceneEdits.name(document.scene(), ids.get(0)))
-                : look.texts().format("edit.move.several", ids.size());
-        document.commit(name, moved);
     }
 
     private void about() {

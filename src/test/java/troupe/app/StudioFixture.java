@@ -166,6 +166,26 @@ final class StudioFixture implements AutoCloseable {
         click(component, component.getWidth() / 2, component.getHeight() / 2);
     }
 
+    void doubleClick(Component component, int x, int y) {
+        moveTo(component, x, y);
+        for (int i = 0; i < 2; i++) {
+            robot.mousePress(InputEvent.BUTTON1_DOWN_MASK);
+            robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
+        }
+        robot.waitForIdle();
+    }
+
+    /** Does something while a key is down. */
+    void hold(int key, Runnable action) {
+        robot.keyPress(key);
+        try {
+            action.run();
+        } finally {
+            robot.keyRelease(key);
+            robot.waitForIdle();
+        }
+    }
+
     /** Presses at one pixel and moves to another in steps; the button stays down. */
     void pressAndMove(Component component, Point from, Point to) {
         moveTo(component, from.x, from.y);

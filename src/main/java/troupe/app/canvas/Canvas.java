@@ -22,6 +22,8 @@ import troupe.app.look.Look;
 import troupe.app.plan.Views;
 import troupe.app.session.OverlayChoice;
 import troupe.app.session.Session;
+import troupe.app.tool.SelectionPainter;
+import troupe.app.tool.Tool;
 import troupe.geometry.Box;
 import troupe.geometry.Point;
 import troupe.geometry.Pose;
@@ -55,6 +57,7 @@ public final class Canvas extends Drawn implements AutoCloseable {
     private final transient LayerStack stack;
     private final transient Listeners<Viewport> views = new Listeners<>();
     private final transient Listeners<Optional<Point>> pointers = new Listeners<>();
+    private final transient Listeners<Tool> gestures = new Listeners<>();
     private final transient List<Runnable> leave = new ArrayList<>();
     private transient Viewport view = new Viewport(0, 0, 1);
     private boolean fitted = true;
@@ -131,6 +134,11 @@ public final class Canvas extends Drawn implements AutoCloseable {
         return pointers;
     }
 
+    /** Returns the observers of the tool in hand, told whenever what it has under way may have changed. */
+    public Listeners<Tool> gestures() {
+        return gestures;
+    }
+
     /** Returns the viewport. */
     public Viewport view() {
         return view;
@@ -191,6 +199,7 @@ public final class Canvas extends Drawn implements AutoCloseable {
         }
         tool = other;
         setCursor(Cursor.getDefaultCursor());
+        gestures.tell(tool);
         repaint();
     }
 

@@ -5,9 +5,13 @@ import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
 import java.util.Optional;
+import java.util.function.Consumer;
 import javax.swing.AbstractAction;
 import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
+import troupe.app.tool.PanTool;
+import troupe.app.tool.Pointer;
+import troupe.app.tool.Tool;
 import troupe.paint.Viewport;
 
 /** Leads the events of the pointer to the tool in hand, or to the view. */
@@ -26,6 +30,8 @@ final class CanvasMouse extends MouseAdapter {
         canvas.addMouseMotionListener(this);
         canvas.addMouseWheelListener(this);
         key("ESCAPE", this::escape);
+        key("ENTER", () -> with(Tool::finish));
+        key("BACK_SPACE", () -> with(Tool::stepBack));
     }
 
     private void key(String stroke, Runnable action) {
@@ -38,13 +44,25 @@ final class CanvasMouse extends MouseAdapter {
         });
     }
 
+    private void with(Consumer<Tool> action) {
+        if (canvas.tool() != null && working == null) {
+            action.accept(canvas.tool());
+            told();
+        }
+    }
+
+    private void told() {
+        canvas.gestures().tell(canvas.tool());
+        canvas.repaint();
+    }
+
     private void escape() {
         Tool tool = working == null ? canvas.tool() : working;
         working = null;
         if (tool != null) {
             tool.cancel();
         }
-        canvas.repaint();
+        told();
     }
 
     private Pointer pointer(MouseEvent event) {
@@ -54,7 +72,8 @@ final class CanvasMouse extends MouseAdapter {
                 event.getX(),
                 event.getY(),
                 event.isShiftDown(),
-                event.isAltDown());
+                event.isAltDown(),
+                event.getClickCount());
     }
 
     @Override
@@ -71,7 +90,7 @@ final class CanvasMouse extends MouseAdapter {
         if (working != null) {
             button = event.getButton();
             working.press(pointer(event));
-            canvas.repaint();
+            told();
         }
     }
 
@@ -79,7 +98,7 @@ final class CanvasMouse extends MouseAdapter {
     public void mouseDragged(MouseEvent event) {
         if (working != null) {
             working.drag(pointer(event));
-            canvas.repaint();
+            told();
         }
         canvas.pointers().tell(Optional.of(pointer(event).at()));
     }
@@ -90,7 +109,7 @@ final class CanvasMouse extends MouseAdapter {
         if (tool != null && event.getButton() == button) {
             working = null;
             tool.release(pointer(event));
-            canvas.repaint();
+            told();
         }
     }
 
@@ -98,7 +117,12 @@ final class CanvasMouse extends MouseAdapter {
     public void mouseMoved(MouseEvent event) {
         Tool tool = canvas.tool();
         if (tool != null) {
+            Object before = tool.stamp();
+            tool.move(pointer(event));
             canvas.setCursor(tool.cursor(pointer(event)));
+            if (!before.equals(tool.stamp())) {
+                told();
+            }
         }
         canvas.pointers().tell(Optional.of(pointer(event).at()));
     }

@@ -3,6 +3,7 @@ package troupe.app.document;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
+import java.util.function.UnaryOperator;
 import troupe.geometry.Point;
 import troupe.geometry.Polygon;
 import troupe.geometry.Pose;
@@ -61,6 +62,28 @@ public final class SceneEdits {
             return obstacle.withOutline(rounded(obstacle.outline()));
         }
         return element instanceof Ditch ditch ? ditch.withOutline(rounded(ditch.outline())) : element;
+    }
+
+    /** Returns an obstacle or a ditch with another outline; another element as it is. */
+    public static Element reshaped(Element element, Polygon outline) {
+        if (element instanceof Obstacle obstacle) {
+            return obstacle.withOutline(outline);
+        }
+        return element instanceof Ditch ditch ? ditch.withOutline(outline) : element;
+    }
+
+    /** Returns the scene with the outlines of these elements changed; other elements stay. */
+    public static Scene reshaped(Scene scene, Collection<String> ids, UnaryOperator<Polygon> change) {
+        Scene changed = scene;
+        for (String id : ids) {
+            Element element = scene.element(id).orElse(null);
+            if (element instanceof Obstacle obstacle) {
+                changed = changed.with(obstacle.withOutline(change.apply(obstacle.outline())));
+            } else if (element instanceof Ditch ditch) {
+                changed = changed.with(ditch.withOutline(change.apply(ditch.outline())));
+            }
+        }
+        return changed;
     }
 
     /** Returns the name to show of an element, its id if the scene does not hold it. */

@@ -14,6 +14,12 @@ import javax.swing.Icon;
 /** Draws the line icons of the studio, one family, in a square of 20 units. */
 public enum Icons {
     SELECT("M5 3 L15 9 L10.5 10.2 L8 15 Z"),
+    POLYGON("M4 7 L11 3 L17 9 L13 16 L5 15 Z"),
+    RECTANGLE("M3.5 5 H16.5 V15 H3.5 Z"),
+    CIRCLE("O10 10 6.5"),
+    DITCH("M2.5 7 H6 L8 13 H12 L14 7 H17.5"),
+    JOURNEY("O4.6 15 2.1 M13 16 V3 L17.5 5.4 L13 7.8 M7.4 13.4 L10 11"),
+    ACTOR("O10 4 2 M10 6 V12 M5.5 8.5 H14.5 M10 12 L6.5 17 M10 12 L13.5 17"),
     PAN("M10 3 V17 M3 10 H17 M8 5 L10 3 L12 5 M8 15 L10 17 L12 15 M5 8 L3 10 L5 12 M15 8 L17 10 L15 12"),
     START("O10 10 5.5 O10 10 1.2"),
     GOAL("M5 17 V3 L14 6.5 L5 10"),

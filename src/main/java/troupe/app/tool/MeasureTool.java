@@ -1,8 +1,7 @@
-package troupe.app.canvas;
+package troupe.app.tool;
 
 import java.awt.Color;
 import java.awt.Cursor;
-import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
@@ -82,16 +81,6 @@ public final class MeasureTool implements Tool {
         g.fill(new Ellipse2D.Double(x2 - 3, y2 - 3, 6, 6));
         double degrees = Math.toDegrees(Math.atan2(to.y() - from.y(), to.x() - from.x()));
         String text = Texts.number(from.distance(to), 2) + " m   " + Texts.number(degrees, 1) + "\u00b0";
-        g.setFont(look.font());
-        FontMetrics metrics = g.getFontMetrics();
-        int width = metrics.stringWidth(text) + 16;
-        double x = (x1 + x2) / 2 - width / 2.0;
-        double y = (y1 + y2) / 2 - 30;
-        g.setColor(look.color(Tone.PANEL));
-        g.fillRoundRect((int) x, (int) y, width, 22, 11, 11);
-        g.setColor(accent);
-        g.drawRoundRect((int) x, (int) y, width, 22, 11, 11);
-        g.setColor(look.color(Tone.TEXT));
-        g.drawString(text, (float) x + 8, (float) y + 15);
+        Sketch.bubble(g, look, (x1 + x2) / 2, (y1 + y2) / 2 + 4, text, false);
     }
 }

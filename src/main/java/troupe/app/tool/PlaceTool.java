@@ -1,7 +1,10 @@
-package troupe.app.canvas;
+package troupe.app.tool;
 
 import java.awt.Cursor;
+import java.util.List;
+import java.util.Optional;
 import troupe.app.document.SceneEdits;
+import troupe.geometry.Point;
 import troupe.scene.Journey;
 import troupe.scene.Place;
 import troupe.scene.Scene;
@@ -24,8 +27,11 @@ public final class PlaceTool implements Tool {
 
     private Scene placed(Pointer pointer) {
         Scene scene = editing.document().scene();
-        Place place = Place.of(
-                Math.rint(pointer.at().x() * 100) / 100, Math.rint(pointer.at().y() * 100) / 100);
+        Snapping snapping = new Snapping(scene, List.of(), editing.view().get().scale());
+        Point at = pointer.alt()
+                ? snapping.place(pointer.at(), Optional.empty(), false, true).at()
+                : snapping.onGrid(pointer.at()).at();
+        Place place = Place.of(at.x(), at.y());
         return scene.task(editing.document().task()).orElse(null) instanceof Journey journey
                 ? end == Hits.End.START
                         ? SceneEdits.startingAt(scene, journey, place)

@@ -1,4 +1,4 @@
-package troupe.app.canvas;
+package troupe.app.tool;
 
 import java.util.ArrayList;
 import java.util.Comparator;

@@ -1,4 +1,4 @@
-package troupe.app.canvas;
+package troupe.app.tool;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 

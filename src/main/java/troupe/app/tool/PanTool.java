@@ -1,4 +1,4 @@
-package troupe.app.canvas;
+package troupe.app.tool;
 
 import java.awt.Cursor;
 import java.util.function.BiConsumer;

@@ -1,11 +1,10 @@
-package troupe.app.canvas;
+package troupe.app.tool;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.awt.Color;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -14,8 +13,10 @@ import troupe.app.OnEventThread;
 import troupe.app.Scenes;
 import troupe.app.document.SceneDocument;
 import troupe.app.document.Selection;
+import troupe.app.look.Look;
 import troupe.app.look.Texts;
 import troupe.geometry.Polygon;
+import troupe.paint.Theme;
 import troupe.paint.Viewport;
 import troupe.scene.Journey;
 import troupe.scene.Place;
@@ -33,8 +34,9 @@ class SelectToolTest {
     private void with(Check check) {
         OnEventThread.run(() -> {
             SceneDocument document = new SceneDocument(Scenes.room(), Optional.empty());
-            Editing editing = new Editing(document, selection, new Texts(Locale.ENGLISH), () -> view);
-            check.check(document, new SelectTool(editing, Color.BLUE));
+            Editing editing = new Editing(
+                    document, selection, new Look(Theme.LIGHT, new Texts(Locale.ENGLISH)), () -> view, () -> {});
+            check.check(document, new SelectTool(editing));
         });
     }
 

@@ -1,0 +1,85 @@
+package troupe.app.document;
+
+import java.util.ArrayList;
+import java.util.List;
+import troupe.app.look.Texts;
+import troupe.geometry.Polygon;
+import troupe.scene.Actor;
+import troupe.scene.Ditch;
+import troupe.scene.Element;
+import troupe.scene.Journey;
+import troupe.scene.Obstacle;
+import troupe.scene.Place;
+import troupe.scene.Scene;
+import troupe.scene.Task;
+
+/** Makes elements for a scene, with ids and names that are free in it. Pure but for {@link #add}. */
+public final class NewElements {
+    /** The height in metres of an obstacle that was just drawn: too high to vault from the ground. */
+    public static final double HEIGHT = 2;
+
+    private static final double DEPTH = 1;
+
+    private NewElements() {}
+
+    /** Returns the first of {@code stem-1}, {@code stem-2}, … that no element has as its id. */
+    public static String freeId(Scene scene, String stem) {
+        int number = 1;
+        while (scene.element(stem + "-" + number).isPresent()) {
+            number++;
+        }
+        return stem + "-" + number;
+    }
+
+    private static String label(Texts texts, String key, String id) {
+        return texts.format(key, id.substring(id.lastIndexOf('-') + 1));
+    }
+
+    /** Makes an obstacle that cannot be moved. */
+    public static Obstacle obstacle(Scene scene, Polygon outline, Texts texts) {
+        String id = freeId(scene, "obstacle");
+        return new Obstacle(id, label(texts, "new.obstacle", id), outline, 0, HEIGHT, false, Obstacle.DEFAULT_MASS, "");
+    }
+
+    /** Makes a ditch of one metre. */
+    public static Ditch ditch(Scene scene, Polygon outline, Texts texts) {
+        String id = freeId(scene, "ditch");
+        return new Ditch(id, label(texts, "new.ditch", id), outline, DEPTH);
+    }
+
+    /** Makes an actor with all abilities. */
+    public static Actor actor(Scene scene, Texts texts) {
+        String id = freeId(scene, "actor");
+        return (Actor) Labels.labelled(Actor.standard(id), label(texts, "new.actor", id));
+    }
+
+    /** Makes a journey of an actor. */
+    public static Journey journey(Scene scene, Actor actor, Place start, Place goal, Texts texts) {
+        String id = freeId(scene, "journey");
+        return (Journey) Labels.labelled(Journey.of(id, actor.id(), start, goal), label(texts, "new.journey", id));
+    }
+
+    /** Returns the scene with one more element, the last of its kind. */
+    public static Scene with(Scene scene, Element added) {
+        List<Obstacle> obstacles = new ArrayList<>(scene.obstacles());
+        List<Ditch> ditches = new ArrayList<>(scene.ditches());
+        List<Actor> actors = new ArrayList<>(scene.actors());
+        List<Task> tasks = new ArrayList<>(scene.tasks());
+        if (added instanceof Obstacle obstacle) {
+            obstacles.add(obstacle);
+        } else if (added instanceof Ditch ditch) {
+            ditches.add(ditch);
+        } else if (added instanceof Actor actor) {
+            actors.add(actor);
+        } else if (added instanceof Task task) {
+            tasks.add(task);
+        }
+        return new Scene(scene.title(), scene.world(), obstacles, ditches, actors, tasks);
+    }
+
+    /** Adds an element to a document as one step, and selects it. */
+    public static void add(SceneDocument document, Selection selection, Element added, Texts texts) {
+        document.commit(texts.format("edit.draw", added.name()), with(document.scene(), added));
+        selection.set(List.of(added.id()));
+    }
+}
