@@ -16,6 +16,9 @@ module troupe {
     exports troupe.unified;
     exports troupe.unified.manipulation;
     exports troupe.unified.search;
+    exports troupe.crowd;
+    exports troupe.crowd.flock;
+    exports troupe.crowd.ground;
     exports troupe.paint;
     exports troupe.exchange;
     exports troupe.work;

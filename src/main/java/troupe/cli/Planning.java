@@ -72,6 +72,9 @@ final class Planning {
         if (run.outcome() instanceof Outcome.Infeasible infeasible) {
             return run.task() + ": no solution: " + infeasible.reason();
         }
+        if (run.outcome() instanceof Outcome.Exhausted && run.report().values().containsKey("arrived")) {
+            return run.task() + ": time is over; " + arrivals(run);
+        }
         if (run.outcome() instanceof Outcome.Exhausted) {
             return run.task()
                     + ": gave up at the limit of expansions (limit.expansions); there may still be a solution";
@@ -81,6 +84,9 @@ final class Planning {
         }
         Map<String, Object> values = run.report().values();
         List<String> words = new ArrayList<>();
+        if (values.containsKey("arrived")) {
+            words.add(arrivals(run));
+        }
         if (values.get("abilities") instanceof List<?> abilities) {
             words.add(String.join(", ", abilities.stream().map(Object::toString).toList()));
         }
@@ -96,6 +102,16 @@ final class Planning {
                 run.frames().count(),
                 run.frames().duration()));
         return run.task() + ": solved: " + String.join("; ", words);
+    }
+
+    private static String arrivals(Run run) {
+        Map<String, Object> values = run.report().values();
+        return String.format(
+                Locale.ROOT,
+                "%d of %d arrived, on average after %.1f s",
+                values.get("arrived"),
+                values.get("agents"),
+                values.get("mean_travel_s"));
     }
 
     private static void number(Map<String, Object> values, String key, String format, List<String> words) {

@@ -18,6 +18,8 @@ import troupe.geometry.Pose;
 import troupe.run.Run;
 import troupe.scene.Ability;
 import troupe.scene.Actor;
+import troupe.scene.Crowd;
+import troupe.scene.CrowdGroup;
 import troupe.scene.Journey;
 import troupe.scene.Obstacle;
 import troupe.scene.Scene;
@@ -41,6 +43,7 @@ public final class RunPainter {
     private final List<Track> tracks;
     private final boolean gripping;
     private final List<Drawn> legs;
+    private final Optional<CrowdPainter> crowd;
 
     private record Drawn(Optional<Ability> ability, List<Cover.Part> parts) {}
 
@@ -50,8 +53,13 @@ public final class RunPainter {
         this.theme = theme;
         this.cover = new Cover(run.scene());
         this.moved = new Moved(run);
+        Optional<Crowd> simulated =
+                run.scene().task(run.task()).filter(Crowd.class::isInstance).map(Crowd.class::cast);
+        this.crowd = simulated.map(c -> new CrowdPainter(c, run.frames(), theme));
+        List<String> groups =
+                simulated.stream().flatMap(Crowd::allGroups).map(CrowdGroup::id).toList();
         this.tracks = Track.of(run).stream()
-                .filter(track -> run.scene().obstacle(track.owner()).isEmpty())
+                .filter(track -> run.scene().obstacle(track.owner()).isEmpty() && !groups.contains(track.owner()))
                 .toList();
         this.gripping = run.scene().task(run.task()).orElse(null) instanceof Journey journey
                 && journey.manipulation() == Journey.Manipulation.GRIP;
@@ -131,6 +139,7 @@ public final class RunPainter {
         if (run.scene().task(run.task()).orElse(null) instanceof Journey journey) {
             TaskPainter.paint(g, run.scene(), journey, view, theme);
         }
+        crowd.ifPresent(c -> c.paintGoals(g, view));
     }
 
     /**
@@ -141,6 +150,7 @@ public final class RunPainter {
         if (run.scene().task(run.task()).orElse(null) instanceof Journey journey) {
             TaskPainter.take(labels, journey, view);
         }
+        crowd.ifPresent(c -> c.takeRoom(labels, view, time));
         for (double[] p : pixels(legs, view)) {
             labels.take(new Rectangle2D.Double(p[0] - 1, p[1] - 1, 2, 2));
         }
@@ -211,6 +221,7 @@ public final class RunPainter {
         if (run.frames().count() == 0) {
             return;
         }
+        crowd.ifPresent(c -> c.paintAgents(graphics, view, time));
         int frame = Track.frameAt(run.frames(), time);
         Graphics2D g = Shapes.smooth(graphics);
         for (Track track : tracks) {

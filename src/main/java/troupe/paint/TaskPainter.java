@@ -49,7 +49,7 @@ public final class TaskPainter {
         g.draw(ring);
     }
 
-    private static void paintGoal(Graphics2D g, Theme theme, Color colour, Place goal, Viewport view) {
+    static void paintGoal(Graphics2D g, Theme theme, Color colour, Place goal, Viewport view) {
         double x = view.px(goal.x());
         double y = view.py(goal.y());
         Path2D pennant = new Path2D.Double();

@@ -21,10 +21,7 @@ final class DocumentRules {
         Set<String> seen = new HashSet<>();
         scene.elements().forEach(element -> {
             String id = element.id();
-            if (!isId(id)) {
-                findings.error(
-                        id, "the id '" + id + "' is not allowed", "use a letter or _, then letters, digits, . _ -");
-            }
+            idForm(id, findings);
             if (!seen.add(id)) {
                 findings.error(id, "the id is used twice", "rename one of the two");
             }
@@ -34,6 +31,12 @@ final class DocumentRules {
     /** Tells whether a text may be an id. */
     static boolean isId(String text) {
         return ID.matcher(text).matches();
+    }
+
+    static void idForm(String id, Findings findings) {
+        if (!isId(id)) {
+            findings.error(id, "the id '" + id + "' is not allowed", "use a letter or _, then letters, digits, . _ -");
+        }
     }
 
     static void texts(Scene scene, Findings findings) {

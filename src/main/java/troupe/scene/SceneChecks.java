@@ -30,6 +30,8 @@ public final class SceneChecks {
             EncounterRules::places,
             EncounterRules::numbers,
             EncounterRules::avatars,
+            CrowdRules::trees,
+            CrowdRules::numbers,
             ShapeRules::overlaps,
             ShapeRules::carrying);
 

@@ -36,8 +36,8 @@ final class SceneReader extends DefaultHandler {
     /** The most elements of a file, abilities and preferences included. */
     private static final int MAX_ELEMENTS = 100_000;
 
-    /** Elements may be nested so deep, and no file of the schema is. */
-    private static final int MAX_DEPTH = 8;
+    /** Elements may be nested so deep: groups of a crowd lie in each other. */
+    private static final int MAX_DEPTH = 64;
 
     /** The most corners of all polygons of a file together. */
     private static final int MAX_CORNERS = 500_000;
@@ -65,6 +65,7 @@ final class SceneReader extends DefaultHandler {
     private Journey journey;
     private EncounterForm encounter;
     private final Optional<Path> folder;
+    private CrowdXml crowd;
 
     /** Makes a reader; files beside the scene are looked for in {@code folder}, if there is one. */
     SceneReader(String name, Optional<Path> folder) {
@@ -212,6 +213,8 @@ final class SceneReader extends DefaultHandler {
             case "prefer" -> prefer(a);
             case "encounter" -> encounter = new EncounterForm(id, a::getValue, folder);
             case "avatar", "head", "track", "tracks" -> meet(element, id, a);
+            case "crowd" -> crowd = new CrowdXml(id, a);
+            case "weights", "relation", "group" -> crowdPart(element, id, a);
             default -> ability(element, a);
         }
     }
@@ -290,6 +293,17 @@ final class SceneReader extends DefaultHandler {
                 whole(a, "seed", 1));
     }
 
+    private void crowdPart(String element, String id, Attributes a) {
+        if (crowd == null) {
+            return;
+        }
+        switch (element) {
+            case "weights" -> crowd.weights(a);
+            case "relation" -> crowd.relation(a);
+            default -> corners += crowd.startGroup(id, a);
+        }
+    }
+
     private void prefer(Attributes a) {
         if (journey == null) {
             return;
@@ -318,6 +332,11 @@ final class SceneReader extends DefaultHandler {
         } else if (element.equals("encounter") && encounter != null) {
             tasks.add(encounter.encounter());
             encounter = null;
+        } else if (element.equals("group") && crowd != null) {
+            crowd.endGroup();
+        } else if (element.equals("crowd") && crowd != null) {
+            tasks.add(crowd.crowd());
+            crowd = null;
         }
     }
 

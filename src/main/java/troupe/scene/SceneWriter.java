@@ -80,6 +80,10 @@ final class SceneWriter {
             journey(journey);
         } else if (task instanceof Encounter encounter) {
             encounter(encounter);
+        } else if (task instanceof Crowd crowd) {
+            out.append("  <crowd");
+            named(crowd);
+            CrowdXml.write(crowd, this);
         }
     }
 
@@ -146,8 +150,13 @@ final class SceneWriter {
         attribute("label", element.label(), "");
     }
 
+    /** Adds text as it is. */
+    void raw(String text) {
+        out.append(text);
+    }
+
     /** Adds an attribute unless its value is the one that absence stands for. */
-    private void attribute(String name, String value, String absent) {
+    void attribute(String name, String value, String absent) {
         if (value.equals(absent)) {
             return;
         }

@@ -58,6 +58,9 @@ public final class Settings {
     }
 
     private static SettingTable<?> table(Task task) {
+        if (task instanceof Crowd crowd) {
+            return CrowdSettings.table(crowd);
+        }
         return TABLES.stream()
                 .filter(table -> table.takes(task))
                 .findFirst()

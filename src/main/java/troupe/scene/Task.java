@@ -1,7 +1,7 @@
 package troupe.scene;
 
 /** Says what to plan. Each planner has one kind of task. */
-public sealed interface Task extends Element permits Journey, Encounter {
+public sealed interface Task extends Element permits Journey, Encounter, Crowd {
 
     /** Returns the seed from which every random stream of the task is derived. */
     long seed();

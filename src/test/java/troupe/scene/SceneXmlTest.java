@@ -147,7 +147,7 @@ class SceneXmlTest {
             assertTrue(e.getMessage().contains("'" + attribute + "'"), e.getMessage());
         }
         String unknown = refused(scene("<well/>")).getMessage();
-        assertTrue(unknown.contains("One of 'obstacle, ditch, actor, journey, encounter' is expected"), unknown);
+        assertTrue(unknown.contains("One of 'obstacle, ditch, actor, journey, encounter, crowd' is expected"), unknown);
     }
 
     @Test
@@ -161,10 +161,10 @@ class SceneXmlTest {
         assertTrue(refused(scene("<ditch id=\"d\" depth=\"1\" points=\"1,1\"/>".repeat(100_001)))
                 .getMessage()
                 .contains("more than 100000 elements"));
-        assertTrue(refused(scene("<actor id=\"a\">".repeat(20)))
+        assertTrue(refused(scene("<actor id=\"a\">".repeat(80)))
                 .problems()
                 .toString()
-                .contains("nested more than 8"));
+                .contains("nested more than 64"));
         String number = "1".repeat(1_000_000);
         assertTrue(refused(scene("<ditch id=\"d\" depth=\"1\" points=\"" + number + ",x 1,2\"/>"))
                         .getMessage()

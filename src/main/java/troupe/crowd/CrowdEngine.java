@@ -1,0 +1,224 @@
+package troupe.crowd;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.ForkJoinPool;
+import troupe.crowd.flock.Agents;
+import troupe.crowd.flock.Flock;
+import troupe.crowd.flock.Kin;
+import troupe.crowd.flock.Sweep;
+import troupe.crowd.ground.Ground;
+import troupe.crowd.ground.Way;
+import troupe.grid.GridLimitException;
+import troupe.run.Overlay;
+import troupe.run.Run;
+import troupe.run.Simulation;
+import troupe.scene.Crowd;
+import troupe.scene.CrowdGroup;
+import troupe.scene.CrowdSettings;
+import troupe.scene.Scene;
+import troupe.search.Outcome;
+
+/**
+ * Simulates a crowd step by step. The first step places everybody, each later one moves them by {@link
+ * Crowd#STEP_SECONDS}; there is a frame for each. It ends as found when all have arrived, as exhausted when the task's
+ * seconds are over, and as infeasible when a group has no room or no way. Everything but the times in the report
+ * depends on scene, task and inputs only.
+ */
+public final class CrowdEngine implements Simulation {
+    private final Scene scene;
+    private final Crowd crowd;
+    private final Sweep sweep;
+    private final Kin kin;
+    private final Agents agents;
+    private final CrowdFrames frames;
+    private final long limit;
+    private final List<Run.Input> inputs = new ArrayList<>();
+    private final CrowdReport report;
+    private Crowd tuned;
+    private int taken;
+    private Ground ground;
+    private Flock flock;
+    private Outcome outcome = Outcome.RUNNING;
+    private long steps;
+
+    /** Prepares a crowd of a scene that has passed the checks, on the threads of the common pool; no work is done yet. */
+    public static CrowdEngine of(Scene scene, Crowd crowd) {
+        return new CrowdEngine(scene, crowd, Sweep.on(ForkJoinPool.commonPool()));
+    }
+
+    /** Prepares a crowd whose work is spread by {@code sweep}. */
+    public CrowdEngine(Scene scene, Crowd crowd, Sweep sweep) {
+        this.scene = scene;
+        this.crowd = crowd;
+        this.tuned = crowd;
+        this.sweep = sweep;
+        this.kin = new Kin(crowd);
+        this.agents = new Agents(kin.agents());
+        this.frames = new CrowdFrames(kin, agents);
+        this.limit = (long) Math.ceil(crowd.seconds() / Crowd.STEP_SECONDS - 1e-9) + 1;
+        this.report = new CrowdReport(crowd, kin, agents);
+    }
+
+    @Override
+    public Outcome step(long budget) {
+        if (budget < 1) {
+            throw new IllegalArgumentException("budget=" + budget + "; needs at least 1");
+        }
+        for (long k = 0; k < budget && outcome.isRunning(); k++) {
+            long begin = System.nanoTime();
+            if (steps == 0) {
+                prepare();
+                report.prepared(System.nanoTime() - begin);
+            } else {
+                takeInputs();
+                flock.step(steps);
+                report.moved(System.nanoTime() - begin);
+            }
+            if (outcome.isRunning()) {
+                frames.record();
+                steps++;
+                end();
+            }
+        }
+        return outcome;
+    }
+
+    private void prepare() {
+        try {
+            ground = new Ground(scene, crowd);
+            double[] world = {scene.world().width(), scene.world().depth()};
+            Spawning spawning =
+                    new Spawning(agents, kin, crowd.seed(), crowd.manner().bodyHeight(), world);
+            int number = 0;
+            for (Kin.Leaf leaf : kin.leaves()) {
+                Optional<String> fault = place(leaf, number++, spawning);
+                if (fault.isPresent()) {
+                    outcome = new Outcome.Infeasible(fault.get());
+                    return;
+                }
+            }
+            measureGoals();
+            flock = new Flock(crowd, kin, agents, world[0], world[1], sweep);
+        } catch (GridLimitException tooMuch) {
+            outcome = new Outcome.Infeasible(tooMuch.getMessage());
+        }
+    }
+
+    private Optional<String> place(Kin.Leaf leaf, int number, Spawning spawning) {
+        CrowdGroup.Members members = leaf.members();
+        Optional<Way> way = ground.way(leaf.goal(), members.radius());
+        if (way.isEmpty()) {
+            return Optional.of(Ground.unreachable(leaf.group().id(), leaf.goal(), members.radius()));
+        }
+        for (int m = 0; m < members.count(); m++) {
+            agents.leaf[leaf.first() + m] = number;
+        }
+        return spawning.place(leaf, way.get());
+    }
+
+    /** Finds how far from each goal its agents may settle: the radius of a disc that holds them at half its area. */
+    private void measureGoals() {
+        for (int i = 0; i < agents.count; i++) {
+            double area = 0;
+            for (Kin.Leaf leaf : kin.leaves()) {
+                if (agents.way[leaf.first()].goal() == agents.way[i].goal()) {
+                    area += leaf.members().count()
+                            * leaf.members().radius()
+                            * leaf.members().radius();
+                }
+            }
+            agents.near[i] = Math.sqrt(area / 0.5);
+        }
+    }
+
+    private void takeInputs() {
+        boolean changed = false;
+        while (taken < inputs.size() && inputs.get(taken).step() <= steps) {
+            Run.Input input = inputs.get(taken++);
+            tuned = CrowdSettings.with(tuned, input.key(), input.value());
+            changed = true;
+        }
+        if (changed) {
+            flock.take(tuned);
+        }
+    }
+
+    private void end() {
+        boolean all = true;
+        for (int i = 0; i < agents.count && all; i++) {
+            all = agents.state[i] == Agents.ARRIVED;
+        }
+        if (all) {
+            outcome = Outcome.FOUND;
+        } else if (steps >= limit) {
+            outcome = Outcome.EXHAUSTED;
+        }
+    }
+
+    @Override
+    public List<Control> controls() {
+        return CrowdSettings.live(crowd).stream()
+                .map(l -> new Control(l.key(), crowd.id(), "", l.min(), l.max(), l.value()))
+                .toList();
+    }
+
+    @Override
+    public void give(Run.Input input) {
+        Control control = controls().stream()
+                .filter(c -> c.key().equals(input.key()))
+                .findFirst()
+                .orElseThrow(() -> new IllegalArgumentException("unknown control '" + input.key() + "'; there are "
+                        + String.join(
+                                ", ", controls().stream().map(Control::key).toList())));
+        if (!(input.value() >= control.min() && input.value() <= control.max())) {
+            throw new IllegalArgumentException(input.key() + "=" + input.value() + "; needs a number from "
+                    + control.min() + " to " + control.max());
+        }
+        long earliest = inputs.isEmpty()
+                ? steps
+                : Math.max(steps, inputs.get(inputs.size() - 1).step());
+        if (input.step() < earliest) {
+            throw new IllegalArgumentException("step " + input.step() + "; needs at least " + earliest);
+        }
+        inputs.add(input);
+    }
+
+    @Override
+    public Outcome outcome() {
+        return outcome;
+    }
+
+    @Override
+    public void cancel() {
+        if (outcome.isRunning()) {
+            outcome = Outcome.CANCELLED;
+        }
+    }
+
+    @Override
+    public Progress progress() {
+        return new Progress(steps, outcome.isRunning() ? (double) steps / limit : 1);
+    }
+
+    @Override
+    public List<Overlay> overlays() {
+        return List.of();
+    }
+
+    /** Returns the state of the agents as it is now; not to be changed. */
+    public Agents agents() {
+        return agents;
+    }
+
+    /** Returns how many others were looked at for each move of an agent on its way, on average; 0 before the first. */
+    public double visitsPerMove() {
+        return flock == null || flock.moves() == 0 ? 0 : (double) flock.visits() / flock.moves();
+    }
+
+    @Override
+    public Run run() {
+        return new Run(scene, crowd.id(), outcome, report.build(flock), frames.frames(), List.of(), inputs);
+    }
+}

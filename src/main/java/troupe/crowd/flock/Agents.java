@@ -1,0 +1,58 @@
+package troupe.crowd.flock;
+
+import troupe.crowd.ground.Way;
+
+/**
+ * Holds the state of all agents by field, each array indexed by the agent's number. Metres, seconds, radians; headings
+ * as unit vectors. Written by one step at a time.
+ */
+public final class Agents {
+    /** On its way. */
+    public static final byte WALKING = 0;
+    /** On its way, and hardly moved for a second. */
+    public static final byte WAITING = 1;
+    /** At its goal, where it stays. */
+    public static final byte ARRIVED = 2;
+
+    public final int count;
+    public final double[] x;
+    public final double[] y;
+    public final double[] z;
+    public final int[] span;
+    public final double[] headingX;
+    public final double[] headingY;
+    public final double[] speed;
+    public final double[] radius;
+    public final double[] topSpeed;
+    public final int[] leaf;
+    public final Way[] way;
+    /** The distance from the goal in metres of potential within which an agent may settle. */
+    public final double[] near;
+
+    public final byte[] state;
+    /** The steps for which an agent has hardly moved. */
+    public final int[] still;
+    /** The step in which an agent arrived, -1 before. */
+    public final int[] arrival;
+
+    /** Makes room for so many agents. */
+    public Agents(int count) {
+        this.count = count;
+        x = new double[count];
+        y = new double[count];
+        z = new double[count];
+        span = new int[count];
+        headingX = new double[count];
+        headingY = new double[count];
+        speed = new double[count];
+        radius = new double[count];
+        topSpeed = new double[count];
+        leaf = new int[count];
+        way = new Way[count];
+        near = new double[count];
+        state = new byte[count];
+        still = new int[count];
+        arrival = new int[count];
+        java.util.Arrays.fill(arrival, -1);
+    }
+}

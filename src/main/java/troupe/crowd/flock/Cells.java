@@ -1,0 +1,111 @@
+package troupe.crowd.flock;
+
+import java.util.Arrays;
+
+/**
+ * Sorts the agents of one step by the cell of a plain grid, half the view distance wide, so that the neighbours of
+ * an agent lie in five runs of consecutive places. Agents keep the order of their numbers within a cell. The arrays
+ * are indexed by place. Cost O(agents + cells) for each {@link #sort}.
+ */
+final class Cells {
+    /** Cells of the widest world are made larger rather than more than this. */
+    private static final int MOST_CELLS = 1 << 20;
+
+    /** How many cells to each side hold all neighbours. */
+    static final int REACH = 2;
+
+    final int count;
+    final int cols;
+    final int rows;
+    private final double edge;
+    private final int[] starts;
+    private final int[] cellOf;
+    /** The agent at each place. */
+    final int[] agent;
+
+    final double[] x;
+    final double[] y;
+    final double[] z;
+    final double[] headingX;
+    final double[] headingY;
+    final double[] speed;
+    final double[] radius;
+    final double[] topSpeed;
+    final int[] leaf;
+    final byte[] state;
+
+    /** Makes room for the agents of a world. */
+    Cells(int count, double width, double depth, double view) {
+        this.count = count;
+        double side = view / REACH;
+        while ((width / side + 1) * (depth / side + 1) > MOST_CELLS) {
+            side *= 2;
+        }
+        edge = side;
+        cols = (int) (width / side) + 1;
+        rows = (int) (depth / side) + 1;
+        starts = new int[cols * rows + 1];
+        cellOf = new int[count];
+        agent = new int[count];
+        x = new double[count];
+        y = new double[count];
+        z = new double[count];
+        headingX = new double[count];
+        headingY = new double[count];
+        speed = new double[count];
+        radius = new double[count];
+        topSpeed = new double[count];
+        leaf = new int[count];
+        state = new byte[count];
+    }
+
+    /** Sorts the agents where they stand now. */
+    void sort(Agents agents) {
+        Arrays.fill(starts, 0);
+        for (int i = 0; i < count; i++) {
+            int cell = row(agents.y[i]) * cols + col(agents.x[i]);
+            cellOf[i] = cell;
+            starts[cell + 1]++;
+        }
+        for (int cell = 1; cell < starts.length; cell++) {
+            starts[cell] += starts[cell - 1];
+        }
+        for (int i = 0; i < count; i++) {
+            take(agents, i, starts[cellOf[i]]++);
+        }
+        System.arraycopy(starts, 0, starts, 1, starts.length - 1);
+        starts[0] = 0;
+    }
+
+    private void take(Agents agents, int i, int place) {
+        agent[place] = i;
+        x[place] = agents.x[i];
+        y[place] = agents.y[i];
+        z[place] = agents.z[i];
+        headingX[place] = agents.headingX[i];
+        headingY[place] = agents.headingY[i];
+        speed[place] = agents.speed[i];
+        radius[place] = agents.radius[i];
+        topSpeed[place] = agents.topSpeed[i];
+        leaf[place] = agents.leaf[i];
+        state[place] = agents.state[i];
+    }
+
+    int col(double atX) {
+        return Math.max(0, Math.min(cols - 1, (int) (atX / edge)));
+    }
+
+    int row(double atY) {
+        return Math.max(0, Math.min(rows - 1, (int) (atY / edge)));
+    }
+
+    /** Returns the first place of a run of cells. */
+    int start(int col, int row) {
+        return starts[row * cols + Math.max(0, col)];
+    }
+
+    /** Returns the place after the last of a run of cells that ends with {@code col}. */
+    int end(int col, int row) {
+        return starts[row * cols + Math.min(cols - 1, col) + 1];
+    }
+}

@@ -1,0 +1,118 @@
+package troupe.crowd.flock;
+
+import java.util.concurrent.atomic.LongAdder;
+import troupe.scene.Crowd;
+
+/**
+ * Moves all agents by one step: sorts them into cells, lets each propose where to go, settles the proposals, and
+ * writes the new state. Every step reads the old state only. Cost O(agents and the neighbours they see).
+ */
+public final class Flock {
+    private final Agents agents;
+    private final Sweep sweep;
+    private final Cells cells;
+    private final Proposals proposals;
+    private final Steering steering;
+    private final Settling settling;
+    private final long seed;
+    private final LongAdder visits = new LongAdder();
+    private Pull pull;
+    private long moves;
+
+    /**
+     * Prepares to move the agents of a crowd.
+     *
+     * @param width of the world in metres
+     * @param depth of the world in metres
+     */
+    public Flock(Crowd crowd, Kin kin, Agents agents, double width, double depth, Sweep sweep) {
+        this.agents = agents;
+        this.sweep = sweep;
+        this.seed = crowd.seed();
+        this.cells = new Cells(agents.count, width, depth, crowd.manner().view());
+        this.proposals = new Proposals(agents.count);
+        this.steering = new Steering(crowd, kin, cells, proposals, agents);
+        this.settling = new Settling(cells, proposals, agents, crowd.manner().bodyHeight());
+        this.pull = new Pull(crowd);
+    }
+
+    /** Takes the weights and relation vectors of a crowd from the next step on. */
+    public void take(Crowd crowd) {
+        pull = new Pull(crowd);
+    }
+
+    /** Returns the number of others that were looked at, over all agents and steps. */
+    public long visits() {
+        return visits.sum();
+    }
+
+    /** Returns the number of times that an agent on its way was moved. */
+    public long moves() {
+        return moves;
+    }
+
+    /** Moves everybody by one step; {@code step} is its number, for the random draws and the arrivals. */
+    public void step(long step) {
+        cells.sort(agents);
+        steering.prepare(pull, step);
+        sweep.over(agents.count, (from, to) -> visits.add(steering.run(from, to)));
+        settling.settle(sweep, seed, step);
+        sweep.over(agents.count, (from, to) -> commit(from, to, (int) step));
+        for (int i = 0; i < agents.count; i++) {
+            moves += agents.state[i] == Agents.ARRIVED ? 0 : 1;
+        }
+    }
+
+    private void commit(int from, int to, int step) {
+        for (int k = from; k < to; k++) {
+            int i = cells.agent[k];
+            if (agents.state[i] == Agents.ARRIVED) {
+                continue;
+            }
+            double dx = proposals.x[k] - agents.x[i];
+            double dy = proposals.y[k] - agents.y[i];
+            double moved = Math.sqrt(dx * dx + dy * dy) / Crowd.STEP_SECONDS;
+            agents.x[i] = proposals.x[k];
+            agents.y[i] = proposals.y[k];
+            agents.z[i] = proposals.z[k];
+            agents.span[i] = proposals.span[k];
+            agents.headingX[i] = proposals.headingX[k];
+            agents.headingY[i] = proposals.headingY[k];
+            agents.speed[i] = moved;
+            agents.still[i] = moved < 0.1 * agents.topSpeed[i] ? agents.still[i] + 1 : Math.max(0, agents.still[i] - 2);
+            agents.state[i] = agents.still[i] >= Steering.PATIENCE ? Agents.WAITING : Agents.WALKING;
+            if (arrives(k, i)) {
+                agents.state[i] = Agents.ARRIVED;
+                agents.arrival[i] = step;
+                agents.speed[i] = 0;
+            }
+        }
+    }
+
+    /**
+     * Tells whether an agent stays for good: at its goal, or near it when it can get no nearer, or behind others
+     * that have arrived.
+     */
+    private boolean arrives(int k, int i) {
+        double left = agents.way[i].potential(agents.span[i]);
+        if (left <= agents.radius[i]) {
+            return true;
+        }
+        if (left <= agents.near[i] && agents.still[i] >= 10) {
+            return true;
+        }
+        return left <= 3 * agents.near[i] + 2 && agents.still[i] >= 20 && touchesArrived(k, i);
+    }
+
+    private boolean touchesArrived(int k, int i) {
+        int count = Math.min(Proposals.CONTACTS, proposals.contactCount[k]);
+        for (int c = 0; c < count; c++) {
+            int j = proposals.contacts[k * Proposals.CONTACTS + c];
+            // the state of the step before, so that the order of the agents does not matter
+            if (cells.state[j] == Agents.ARRIVED && agents.way[cells.agent[j]].goal() == agents.way[i].goal()) {
+                return true;
+            }
+        }
+        return false;
+    }
+}

@@ -1,0 +1,356 @@
+package troupe.crowd.flock;
+
+import troupe.crowd.ground.Terrain;
+import troupe.crowd.ground.Way;
+import troupe.scene.Crowd;
+
+/**
+ * Finds where each agent wants to go next: separation, cohesion and alignment over the neighbours it sees, each
+ * multiplied by the relation vector of the pair, the path down the potential, and anticipation. Their weighted sum,
+ * made a unit vector and averaged with the present heading, is the next direction (Crowd sections 3.1 to 3.5).
+ *
+ * <p>With p the places, h the headings, n the number of neighbours in view, r the sum of radii and v the view
+ * distance: separation {@code sum R_s (r / d)^2} away from each, cohesion {@code sum R_c (p_j - p_i) / (n v)},
+ * alignment {@code sum R_a h_j / n}; n counts neighbours, never weights.
+ *
+ * <p>Deviations from the paper: agents move continuously; speed rises to the highest one and falls with the room ahead
+ * (Tordeux, Chraibi and Seyfried 2016: room divided by a time gap); anticipation pushes sideways by the time to
+ * collision, to the right when heads meet; who has stood still for a while tries directions by chance.
+ */
+final class Steering {
+    /** Seconds that an agent keeps to the one ahead. */
+    static final double TIME_GAP = 0.5;
+    /** Collisions further off in seconds than this are not looked at. */
+    private static final double HORIZON = 3;
+
+    private static final double ACCELERATION = 2.5;
+    private static final int NEAR = 96;
+    /** Steps of standing still after which an agent tries directions by chance. */
+    static final int PATIENCE = 25;
+
+    private final Cells cells;
+    private final Proposals out;
+    private final Agents agents;
+    private final byte[] depths;
+    private final int leaves;
+    private final double view;
+    private final double bodyHeight;
+    private final double nearHeight;
+    private final boolean paper;
+    private final double widest;
+    private final double fastest;
+    private final long seed;
+    private Pull pull;
+    private long step;
+
+    Steering(Crowd crowd, Kin kin, Cells cells, Proposals out, Agents agents) {
+        this.cells = cells;
+        this.out = out;
+        this.agents = agents;
+        this.depths = kin.depths();
+        this.leaves = kin.leaves().size();
+        this.view = crowd.manner().view();
+        this.bodyHeight = crowd.manner().bodyHeight();
+        this.nearHeight = bodyHeight + 2 * crowd.manner().stepHeight();
+        this.paper = crowd.manner().motion() == Crowd.Motion.PAPER;
+        this.seed = crowd.seed();
+        double radius = 0;
+        double speed = 0;
+        for (int i = 0; i < agents.count; i++) {
+            radius = Math.max(radius, agents.radius[i]);
+            speed = Math.max(speed, agents.topSpeed[i]);
+        }
+        this.widest = radius;
+        this.fastest = speed;
+    }
+
+    /** Sets the factors and the number of the step to come. */
+    void prepare(Pull factors, long number) {
+        pull = factors;
+        step = number;
+    }
+
+    /** What one agent sees; used again for the next. */
+    private static final class Sight {
+        double separationX;
+        double separationY;
+        double cohesionX;
+        double cohesionY;
+        double alignmentX;
+        double alignmentY;
+        int seen;
+        long visits;
+        final int[] near = new int[NEAR];
+        int nearCount;
+        double x;
+        double y;
+        double room;
+        int ahead;
+    }
+
+    /** Makes the proposals of a range of places; returns how many others were looked at. */
+    long run(int from, int to) {
+        Sight sight = new Sight();
+        for (int k = from; k < to; k++) {
+            if (cells.state[k] == Agents.ARRIVED) {
+                stay(k);
+            } else {
+                look(k, sight);
+                steer(k, sight);
+            }
+        }
+        return sight.visits;
+    }
+
+    private void stay(int k) {
+        out.x[k] = cells.x[k];
+        out.y[k] = cells.y[k];
+        out.z[k] = cells.z[k];
+        out.span[k] = agents.span[cells.agent[k]];
+        out.headingX[k] = cells.headingX[k];
+        out.headingY[k] = cells.headingY[k];
+        out.speed[k] = 0;
+        out.contactCount[k] = 0;
+    }
+
+    private void look(int k, Sight s) {
+        s.separationX = 0;
+        s.separationY = 0;
+        s.cohesionX = 0;
+        s.cohesionY = 0;
+        s.alignmentX = 0;
+        s.alignmentY = 0;
+        s.seen = 0;
+        s.nearCount = 0;
+        int contactCount = 0;
+        double x = cells.x[k];
+        double y = cells.y[k];
+        double radius = cells.radius[k];
+        double seenSquared = view * view;
+        double contactReach = radius + widest + (cells.topSpeed[k] + fastest) * Crowd.STEP_SECONDS;
+        double contactSquared = contactReach * contactReach * 1.000001;
+        double nearReach = radius + widest + Math.max(1.2, TIME_GAP * cells.topSpeed[k] + 0.2);
+        double nearSquared = Math.min(seenSquared, nearReach * nearReach);
+        double farthest = Math.max(view, contactReach);
+        int lastCol = cells.col(x + farthest);
+        int firstCol = cells.col(x - farthest);
+        int lastRow = cells.row(y + farthest);
+        for (int row = cells.row(y - farthest); row <= lastRow; row++) {
+            int end = cells.end(lastCol, row);
+            int start = cells.start(firstCol, row);
+            s.visits += end - start;
+            for (int j = start; j < end; j++) {
+                double dx = cells.x[j] - x;
+                double dy = cells.y[j] - y;
+                double squared = dx * dx + dy * dy;
+                if (squared >= seenSquared && squared >= contactSquared
+                        || j == k
+                        || Math.abs(cells.z[j] - cells.z[k]) >= nearHeight) {
+                    continue;
+                }
+                if (squared < contactSquared) {
+                    if (contactCount < Proposals.CONTACTS) {
+                        out.contacts[k * Proposals.CONTACTS + contactCount] = j;
+                    }
+                    contactCount++;
+                }
+                if (squared < nearSquared && s.nearCount < NEAR) {
+                    s.near[s.nearCount++] = j;
+                }
+                if (squared < seenSquared) {
+                    feel(k, j, dx, dy, squared, s);
+                }
+            }
+        }
+        out.contactCount[k] = contactCount;
+    }
+
+    private void feel(int k, int j, double dx, double dy, double squared, Sight s) {
+        int depth = depths[cells.leaf[k] * leaves + cells.leaf[j]];
+        double reach = cells.radius[k] + cells.radius[j];
+        double push = pull.kinSeparation[depth]
+                * reach
+                * reach
+                / (Math.max(squared, 1e-6) * Math.sqrt(Math.max(squared, 1e-6)));
+        s.separationX -= push * dx;
+        s.separationY -= push * dy;
+        s.seen++;
+        if (cells.state[j] != Agents.ARRIVED) {
+            s.cohesionX += pull.kinCohesion[depth] * dx;
+            s.cohesionY += pull.kinCohesion[depth] * dy;
+            s.alignmentX += pull.kinAlignment[depth] * cells.headingX[j];
+            s.alignmentY += pull.kinAlignment[depth] * cells.headingY[j];
+        }
+    }
+
+    private void steer(int k, Sight s) {
+        int agent = cells.agent[k];
+        Way way = agents.way[agent];
+        int span = agents.span[agent];
+        double pathX;
+        double pathY;
+        if (paper) {
+            int d = way.next(span);
+            double length = d < 4 ? 1 : Math.sqrt(0.5);
+            pathX = d < 0 ? 0 : troupe.grid.GridFrame.dx(d) * length;
+            pathY = d < 0 ? 0 : troupe.grid.GridFrame.dy(d) * length;
+        } else {
+            long towards = way.towards(span);
+            pathX = Way.x(towards);
+            pathY = Way.y(towards);
+        }
+        double n = Math.max(1, s.seen);
+        double sumX = pull.separation * s.separationX
+                + pull.cohesion * s.cohesionX / (n * view)
+                + pull.alignment * s.alignmentX / n
+                + pull.path * pathX;
+        double sumY = pull.separation * s.separationY
+                + pull.cohesion * s.cohesionY / (n * view)
+                + pull.alignment * s.alignmentY / n
+                + pull.path * pathY;
+        if (!paper) {
+            anticipate(k, pathX, pathY, s);
+            sumX += pull.anticipation * s.x;
+            sumY += pull.anticipation * s.y;
+        }
+        double length = Math.sqrt(sumX * sumX + sumY * sumY);
+        double headingX = cells.headingX[k];
+        double headingY = cells.headingY[k];
+        if (length > 1e-9) {
+            double x = sumX / length + headingX;
+            double y = sumY / length + headingY;
+            double norm = Math.sqrt(x * x + y * y);
+            headingX = norm > 1e-6 ? x / norm : sumX / length;
+            headingY = norm > 1e-6 ? y / norm : sumY / length;
+        }
+        propose(k, agent, headingX, headingY, s);
+    }
+
+    /** Finds the push sideways from those that the agent would meet soon if it went down its path. */
+    private void anticipate(int k, double pathX, double pathY, Sight s) {
+        double pushX = 0;
+        double pushY = 0;
+        double speed = cells.topSpeed[k];
+        for (int m = 0; m < s.nearCount; m++) {
+            int j = s.near[m];
+            double dx = cells.x[j] - cells.x[k];
+            double dy = cells.y[j] - cells.y[k];
+            double wx = pathX * speed - cells.headingX[j] * cells.speed[j];
+            double wy = pathY * speed - cells.headingY[j] * cells.speed[j];
+            double along = wx * dx + wy * dy;
+            if (along <= 0) {
+                continue;
+            }
+            double reach = cells.radius[k] + cells.radius[j] + 0.05;
+            double relative = wx * wx + wy * wy;
+            double apart = Math.max(0, dx * dx + dy * dy - reach * reach);
+            double root = along * along - relative * apart;
+            if (root <= 0) {
+                continue;
+            }
+            double time = apart / (along + Math.sqrt(root));
+            if (time >= HORIZON) {
+                continue;
+            }
+            double urgency = (1 - time / HORIZON) * (1 - time / HORIZON);
+            boolean opposing = cells.headingX[j] * pathX + cells.headingY[j] * pathY < -0.2;
+            double side = wx * dy - wy * dx;
+            double bias = opposing ? -0.6 * reach * Math.sqrt(relative) : 0;
+            double right = side >= bias ? urgency : -urgency;
+            pushX += right * pathY;
+            pushY -= right * pathX;
+        }
+        double size = Math.sqrt(pushX * pushX + pushY * pushY);
+        double scale = size > 1.2 ? 1.2 / size : 1;
+        s.x = pushX * scale;
+        s.y = pushY * scale;
+    }
+
+    private void propose(int k, int agent, double headingX, double headingY, Sight s) {
+        double hx = headingX;
+        double hy = headingY;
+        double speed = cells.topSpeed[k];
+        boolean chance = !paper && agents.still[agent] >= PATIENCE && (agents.still[agent] / 8 & 1) == 1;
+        if (paper) {
+            hx = Math.abs(headingX) > 0.38268343236508977 ? Math.signum(headingX) : 0;
+            hy = Math.abs(headingY) > 0.38268343236508977 ? Math.signum(headingY) : 0;
+            double diagonal = hx != 0 && hy != 0 ? Math.sqrt(0.5) : 1;
+            hx *= diagonal;
+            hy *= diagonal;
+        } else if (chance) {
+            long bits = Chance.bits(seed, 2, agent, step / 8);
+            double angle = (Chance.unit(bits) - 0.5) * 4;
+            double cos = StrictMath.cos(angle);
+            double sin = StrictMath.sin(angle);
+            hx = cos * headingX - sin * headingY;
+            hy = sin * headingX + cos * headingY;
+            speed = 0.4 * speed;
+        } else {
+            double free = room(k, hx, hy, s) / TIME_GAP;
+            speed = Math.min(Math.min(speed, free), cells.speed[k] + ACCELERATION * Crowd.STEP_SECONDS);
+        }
+        out.headingX[k] = chance ? cells.headingX[k] : headingX;
+        out.headingY[k] = chance ? cells.headingY[k] : headingY;
+        move(k, agent, hx, hy, speed);
+    }
+
+    /** Returns the free way in metres in a direction, up to the first that stands or goes there. */
+    private double room(int k, double hx, double hy, Sight s) {
+        double room = Double.POSITIVE_INFINITY;
+        for (int m = 0; m < s.nearCount; m++) {
+            int j = s.near[m];
+            double dx = cells.x[j] - cells.x[k];
+            double dy = cells.y[j] - cells.y[k];
+            double along = dx * hx + dy * hy;
+            double across = dx * hy - dy * hx;
+            double reach = cells.radius[k] + cells.radius[j];
+            double root = reach * reach - across * across;
+            if (along > 0 && root > 0) {
+                room = Math.min(room, along - Math.sqrt(root));
+            }
+        }
+        return Math.max(0, room);
+    }
+
+    /** Proposes a step; beside a wall, the nearest direction in which it is legal. */
+    private void move(int k, int agent, double hx, double hy, double speed) {
+        Terrain terrain = agents.way[agent].terrain();
+        int from = agents.span[agent];
+        double length = speed * Crowd.STEP_SECONDS;
+        int first = (Chance.bits(seed, 3, agent, step) & 1) == 0 ? 1 : -1;
+        for (int attempt = 0; attempt < TURN_COS.length; attempt++) {
+            double sin = TURN_SIN[attempt] * first;
+            double x = cells.x[k] + (TURN_COS[attempt] * hx - sin * hy) * length;
+            double y = cells.y[k] + (sin * hx + TURN_COS[attempt] * hy) * length;
+            int to = length > 0 ? terrain.step(from, x, y) : -1;
+            if (to >= 0) {
+                out.x[k] = x;
+                out.y[k] = y;
+                out.z[k] = terrain.elevation(to);
+                out.span[k] = to;
+                out.speed[k] = speed;
+                return;
+            }
+        }
+        double headingX = out.headingX[k];
+        double headingY = out.headingY[k];
+        int contacts = out.contactCount[k];
+        stay(k);
+        out.headingX[k] = headingX;
+        out.headingY[k] = headingY;
+        out.contactCount[k] = contacts;
+    }
+
+    private static final double[] TURN_COS = turns(true);
+    private static final double[] TURN_SIN = turns(false);
+
+    /** Returns the cosines or sines of turns by 0, 30, -30, 60, -60, 90 and -90 degrees. */
+    private static double[] turns(boolean cosine) {
+        double[] made = new double[7];
+        for (int i = 0; i < made.length; i++) {
+            double angle = (i + 1) / 2 * Math.PI / 6 * (i % 2 == 0 ? -1 : 1);
+            made[i] = cosine ? StrictMath.cos(angle) : StrictMath.sin(angle);
+        }
+        return made;
+    }
+}

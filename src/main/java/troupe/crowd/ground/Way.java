@@ -1,0 +1,164 @@
+package troupe.crowd.ground;
+
+import java.util.Arrays;
+import troupe.grid.GridFrame;
+import troupe.grid.field.Nf2;
+import troupe.scene.Journey;
+
+/**
+ * Leads agents of one radius to one goal: down a potential, seen from some way ahead. The potential is NF2's (Crowd
+ * section 3.3) until another is {@linkplain #set set}. The direction at a span is that of the farthest place down
+ * the chain of lowest neighbours, within {@value #AHEAD} m, that a straight way reaches; it is found when first asked
+ * for and kept. Deviation: the paper takes the lowest of the eight neighbours, which {@link #next} still tells.
+ *
+ * <p>Any thread may ask for directions at once (each finds the same value); setting a potential is for one thread
+ * while no other asks.
+ */
+public final class Way {
+    private static final double AHEAD = 4;
+    private static final long UNKNOWN = Long.MIN_VALUE;
+
+    private final Terrain terrain;
+    private final int goal;
+    private final GridFrame frame;
+    private final byte[] next;
+    private final float[] potential;
+    private final long[] towards;
+
+    /** Takes the potential of NF2 to a goal, an open span. Cost O(spans). */
+    Way(Terrain terrain, Nf2 nf2, int goal) {
+        this.terrain = terrain;
+        this.goal = goal;
+        this.frame = terrain.region().frame();
+        this.next = new byte[terrain.size()];
+        this.potential = new float[terrain.size()];
+        this.towards = new long[terrain.size()];
+        nf2.compute(goal, Journey.Spread.BREADTH);
+        for (int q = 0; q < potential.length; q++) {
+            potential[q] = terrain.open(q) ? (float) nf2.potential(q) : Float.POSITIVE_INFINITY;
+        }
+        descend();
+    }
+
+    private Way(Way other) {
+        terrain = other.terrain;
+        goal = other.goal;
+        frame = other.frame;
+        next = other.next.clone();
+        potential = other.potential.clone();
+        towards = other.towards.clone();
+    }
+
+    /** Returns a way of its own that begins with the potential of this one. */
+    public Way copy() {
+        return new Way(this);
+    }
+
+    /** Replaces the potential: metres or seconds for each span, infinite where the goal cannot be reached. */
+    public void set(float[] values) {
+        System.arraycopy(values, 0, potential, 0, potential.length);
+        descend();
+    }
+
+    private void descend() {
+        Arrays.fill(towards, UNKNOWN);
+        for (int q = 0; q < next.length; q++) {
+            next[q] = lowest(q);
+        }
+    }
+
+    private byte lowest(int q) {
+        byte best = -1;
+        float least = potential[q];
+        if (least == Float.POSITIVE_INFINITY) {
+            return -1;
+        }
+        for (byte d = 0; d < GridFrame.DIRECTIONS; d++) {
+            int to = terrain.neighbour(q, d);
+            if (to >= 0 && potential[to] < least) {
+                least = potential[to];
+                best = d;
+            }
+        }
+        return best;
+    }
+
+    /** Returns the terrain. */
+    public Terrain terrain() {
+        return terrain;
+    }
+
+    /** Returns the span of the goal. */
+    public int goal() {
+        return goal;
+    }
+
+    /** Tells whether the goal can be reached from a span. */
+    public boolean reaches(int q) {
+        return potential[q] != Float.POSITIVE_INFINITY;
+    }
+
+    /** Returns the potential of a span; 0 at the goal, infinite where it cannot be reached. */
+    public float potential(int q) {
+        return potential[q];
+    }
+
+    /** Returns the direction of {@link GridFrame} to the lowest neighbour of a span, -1 at the goal. */
+    public int next(int q) {
+        return next[q];
+    }
+
+    /**
+     * Returns the direction to go from a span as two floats, x in the upper half of the bits; both 0 at the goal and
+     * where it cannot be reached.
+     */
+    public long towards(int q) {
+        long known = towards[q];
+        if (known == UNKNOWN) {
+            known = look(q);
+            towards[q] = known;
+        }
+        return known;
+    }
+
+    /** Returns the x of a direction that {@link #towards} gave. */
+    public static double x(long direction) {
+        return Float.intBitsToFloat((int) (direction >> 32));
+    }
+
+    /** Returns the y of a direction that {@link #towards} gave. */
+    public static double y(long direction) {
+        return Float.intBitsToFloat((int) direction);
+    }
+
+    private long look(int q) {
+        int most = Math.max(2, (int) (AHEAD / frame.cell()));
+        int end = q;
+        int steps = 0;
+        while (steps < most && next[end] >= 0) {
+            end = terrain.neighbour(end, next[end]);
+            steps++;
+        }
+        while (steps > 1 && !terrain.sees(q, end)) {
+            steps = steps * 3 / 4;
+            end = along(q, steps);
+        }
+        double dx = terrain.region().x(end) - terrain.region().x(q);
+        double dy = terrain.region().y(end) - terrain.region().y(q);
+        double length = Math.sqrt(dx * dx + dy * dy);
+        if (length == 0) {
+            return 0;
+        }
+        long high = Float.floatToRawIntBits((float) (dx / length));
+        long low = Float.floatToRawIntBits((float) (dy / length)) & 0xFFFF_FFFFL;
+        return high << 32 | low;
+    }
+
+    private int along(int q, int steps) {
+        int at = q;
+        for (int k = 0; k < steps; k++) {
+            at = terrain.neighbour(at, next[at]);
+        }
+        return at;
+    }
+}

@@ -1,0 +1,191 @@
+package troupe.paint;
+
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Path2D;
+import java.awt.geom.Rectangle2D;
+import java.util.ArrayList;
+import java.util.List;
+import troupe.run.Frames;
+import troupe.scene.Crowd;
+import troupe.scene.CrowdGroup;
+import troupe.scene.Place;
+
+/**
+ * Paints a crowd at a time: each agent as a disc of its radius that points where it heads, in the colour of its group
+ * at a chosen level of the tree, with a trail of the last seconds; a flag at each goal. Agents far away are painted
+ * as plain discs. Immutable; serves any thread.
+ */
+public final class CrowdPainter {
+    /** The level that stands for each group's own colour. */
+    public static final int DEEPEST = Integer.MAX_VALUE;
+
+    private static final double TRAIL_SECONDS = 2;
+    private static final double TRAIL_STEP = 0.2;
+    /** More agents than this are painted without trails. */
+    private static final int MOST_TRAILS = 2_000;
+
+    private static final int ARRIVED = 2;
+    /** Colours that differ for any colour vision: Okabe and Ito 2008, without black and yellow. */
+    private static final int[] COLOURS = {0x0072b2, 0xd55e00, 0x009e73, 0xcc79a7, 0x56b4e9, 0xe69f00};
+
+    private final Frames frames;
+    private final Theme theme;
+    private final boolean trails;
+    private final List<Shown> shown = new ArrayList<>();
+    private final List<Flag> flags = new ArrayList<>();
+
+    /** A group's members: their channels, size and colour. */
+    private record Shown(int x, int y, int heading, int state, int count, double radius, Color colour) {}
+
+    private record Flag(Place goal, Color colour) {}
+
+    /** Makes a painter that colours by the deepest groups and shows trails. */
+    public CrowdPainter(Crowd crowd, Frames frames, Theme theme) {
+        this(crowd, frames, theme, DEEPEST, true);
+    }
+
+    /**
+     * Makes a painter.
+     *
+     * @param level the depth of the groups whose colours are shown, from 1; {@link #DEEPEST} for the deepest
+     * @param trails whether the last seconds of each agent's way are shown
+     */
+    public CrowdPainter(Crowd crowd, Frames frames, Theme theme, int level, boolean trails) {
+        this.frames = frames;
+        this.theme = theme;
+        int[] number = new int[1];
+        for (CrowdGroup group : crowd.groups()) {
+            collect(group, 1, level, null, number);
+        }
+        this.trails = trails && shown.stream().mapToInt(Shown::count).sum() <= MOST_TRAILS;
+    }
+
+    private void collect(CrowdGroup group, int depth, int level, Color above, int[] number) {
+        Color own = above;
+        if (depth <= level || above == null) {
+            Color plain = above != null && group.colour().isEmpty()
+                    ? above
+                    : new Color(COLOURS[number[0]++ % COLOURS.length]);
+            own = Shapes.colour(group.colour(), plain);
+        }
+        Color colour = own;
+        group.goal().ifPresent(goal -> flags.add(new Flag(goal, colour)));
+        group.members().ifPresent(members -> {
+            int x = frames.channel(group.id(), "x");
+            if (x >= 0) {
+                shown.add(new Shown(
+                        x,
+                        frames.channel(group.id(), "y"),
+                        frames.channel(group.id(), "heading"),
+                        frames.channel(group.id(), "state"),
+                        members.count(),
+                        members.radius(),
+                        colour));
+            }
+        });
+        for (CrowdGroup part : group.parts()) {
+            collect(part, depth + 1, level, colour, number);
+        }
+    }
+
+    /** Paints flags, trails and agents at {@code time} seconds. */
+    public void paint(Graphics2D graphics, Viewport view, double time) {
+        paintGoals(graphics, view);
+        paintAgents(graphics, view, time);
+    }
+
+    /** Paints a flag at each goal. */
+    public void paintGoals(Graphics2D graphics, Viewport view) {
+        Graphics2D g = Shapes.smooth(graphics);
+        for (Flag flag : flags) {
+            TaskPainter.paintGoal(g, theme, flag.colour(), flag.goal(), view);
+        }
+        g.dispose();
+    }
+
+    /** Paints trails and agents at {@code time} seconds. Cost O(agents). */
+    public void paintAgents(Graphics2D graphics, Viewport view, double time) {
+        if (frames.count() == 0) {
+            return;
+        }
+        int frame = Track.frameAt(frames, time);
+        Graphics2D g = Shapes.smooth(graphics);
+        if (trails) {
+            shown.forEach(group -> paintTrails(g, view, group, frame));
+        }
+        shown.forEach(group -> paintGroup(g, view, group, frame));
+        g.dispose();
+    }
+
+    private void paintTrails(Graphics2D g, Viewport view, Shown group, int frame) {
+        int step = (int) Math.max(1, Math.round(TRAIL_STEP * frames.rate()));
+        int first = (int) Math.max(0, frame - Math.round(TRAIL_SECONDS * frames.rate()));
+        Color c = group.colour();
+        g.setColor(new Color(c.getRed(), c.getGreen(), c.getBlue(), 90));
+        g.setStroke(Theme.line((float) Math.max(1, 0.3 * group.radius() * view.scale())));
+        for (int m = 0; m < group.count(); m++) {
+            Path2D trail = new Path2D.Double();
+            trail.moveTo(px(view, group, frame, m), py(view, group, frame, m));
+            for (int k = frame - step; k >= first; k -= step) {
+                trail.lineTo(px(view, group, k, m), py(view, group, k, m));
+            }
+            g.draw(trail);
+        }
+    }
+
+    private double px(Viewport view, Shown group, int frame, int m) {
+        return view.px(frames.value(frame, group.x(), m));
+    }
+
+    private double py(Viewport view, Shown group, int frame, int m) {
+        return view.py(frames.value(frame, group.y(), m));
+    }
+
+    private void paintGroup(Graphics2D g, Viewport view, Shown group, int frame) {
+        double r = Math.max(1.2, group.radius() * view.scale());
+        Color settled = Shapes.blend(group.colour(), theme.color(Tone.FLOOR), 0.45);
+        Color edge = theme.color(Tone.PANEL);
+        g.setStroke(Theme.line((float) Math.min(1.5, r / 5)));
+        for (int m = 0; m < group.count(); m++) {
+            double x = px(view, group, frame, m);
+            double y = py(view, group, frame, m);
+            g.setColor(frames.value(frame, group.state(), m) == ARRIVED ? settled : group.colour());
+            g.fill(new Ellipse2D.Double(x - r, y - r, 2 * r, 2 * r));
+            if (r < 3) {
+                continue;
+            }
+            double heading = frames.value(frame, group.heading(), m);
+            double cos = Math.cos(heading) * r;
+            double sin = -Math.sin(heading) * r;
+            Path2D arrow = new Path2D.Double();
+            arrow.moveTo(x + 0.85 * cos, y + 0.85 * sin);
+            arrow.lineTo(x - 0.35 * cos - 0.6 * sin, y - 0.35 * sin + 0.6 * cos);
+            arrow.lineTo(x - 0.35 * cos + 0.6 * sin, y - 0.35 * sin - 0.6 * cos);
+            arrow.closePath();
+            g.setColor(edge);
+            g.fill(arrow);
+        }
+    }
+
+    /** Takes the room of the flags and of everybody, so that text keeps away from them. */
+    public void takeRoom(Labels labels, Viewport view, double time) {
+        for (Flag flag : flags) {
+            double x = view.px(flag.goal().x());
+            double y = view.py(flag.goal().y());
+            labels.take(new Rectangle2D.Double(x - 2, y - 26, 20, 28));
+        }
+        if (frames.count() == 0 || Double.isNaN(time)) {
+            return;
+        }
+        int frame = Track.frameAt(frames, time);
+        for (Shown group : shown) {
+            double r = Math.max(1, group.radius() * view.scale());
+            for (int m = 0; m < group.count(); m++) {
+                labels.take(new Rectangle2D.Double(
+                        px(view, group, frame, m) - r, py(view, group, frame, m) - r, 2 * r, 2 * r));
+            }
+        }
+    }
+}
