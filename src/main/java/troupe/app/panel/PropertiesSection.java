@@ -1,34 +1,42 @@
 package troupe.app.panel;
 
+import java.awt.Component;
+import java.awt.Dimension;
 import java.awt.GridBagLayout;
+import java.awt.KeyboardFocusManager;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.function.DoubleConsumer;
-import java.util.function.DoublePredicate;
-import java.util.function.UnaryOperator;
+import java.util.Map;
+import java.util.Optional;
 import javax.swing.JComponent;
-import javax.swing.JLabel;
+import javax.swing.JPopupMenu;
+import javax.swing.JRadioButtonMenuItem;
 import troupe.app.document.SceneEdits;
+import troupe.app.look.Entry;
+import troupe.app.look.FlatButton;
 import troupe.app.look.Look;
-import troupe.app.look.NumberField;
 import troupe.app.look.Switch;
-import troupe.app.look.Texts;
+import troupe.app.property.Group;
+import troupe.app.property.Properties;
+import troupe.app.property.Property;
 import troupe.app.session.Session;
-import troupe.geometry.Point;
-import troupe.geometry.Polygon;
 import troupe.paint.Tone;
-import troupe.scene.Ditch;
-import troupe.scene.Element;
-import troupe.scene.Journey;
-import troupe.scene.Obstacle;
-import troupe.scene.Place;
 import troupe.scene.Scene;
 
-/** Shows and edits the properties of what is selected, or of the scene where nothing is. */
+/**
+ * Shows and edits the properties of what is selected, those in common where several are, or of the scene where
+ * nothing is. A field keeps the focus while its thing changes.
+ */
 final class PropertiesSection extends Panel {
-    private static final DoublePredicate ANY = Double::isFinite;
-    private static final DoublePredicate POSITIVE = v -> Double.isFinite(v) && v > 0;
-    private static final DoublePredicate NOT_NEGATIVE = v -> Double.isFinite(v) && v >= 0;
-    private Object shown = "";
+    private final transient Map<String, Shown> fields = new LinkedHashMap<>();
+    private transient List<?> structure = List.of();
+    private transient Scene shown;
+
+    /** A field that shows a property of the elements that are selected. */
+    private interface Shown {
+        void show(String value);
+    }
 
     PropertiesSection(Look look, Session session) {
         super(look, session, new GridBagLayout());
@@ -38,195 +46,188 @@ final class PropertiesSection extends Panel {
         refresh();
     }
 
+    private List<String> ids() {
+        Scene scene = session().document().shown();
+        return session().selection().ids().stream()
+                .filter(id -> scene.element(id).isPresent())
+                .toList();
+    }
+
     private void refresh() {
         Scene scene = session().document().shown();
-        List<String> ids = session().selection().ids();
-        Object now = List.of(
-                ids, ids.isEmpty() ? scene : ids.stream().map(scene::element).toList());
-        if (now.equals(shown)) {
+        List<String> ids = ids();
+        if (scene == shown && structure.contains(ids)) {
             return;
         }
-        shown = now;
-        Rows rows = new Rows(this, look());
-        Element element = session().selection().single(scene).orElse(null);
-        if (element instanceof Obstacle obstacle) {
-            show(rows, obstacle);
-        } else if (element instanceof Ditch ditch) {
-            show(rows, ditch);
-        } else if (element instanceof Journey journey) {
-            show(rows, journey);
-        } else if (element != null) {
-            rows.heading(element.name());
-        } else if (ids.isEmpty()) {
-            show(rows, scene);
-        } else {
-            rows.heading(look().texts().format("inspector.several", ids.size()));
-            rows.wide(look().label(look().text("inspector.several.hint"), Tone.DIM), 0);
+        shown = scene;
+        List<Group> groups = Properties.of(scene, ids);
+        List<?> now = List.of(
+                ids,
+                heading(scene, ids),
+                groups.stream()
+                        .map(g -> g.properties().stream()
+                                .map(p -> p.key() + p.choices())
+                                .toList())
+                        .toList());
+        if (!now.equals(structure)) {
+            structure = now;
+            build(scene, ids, groups);
         }
-        revalidate();
+        for (Group group : groups) {
+            for (Property property : group.properties()) {
+                fields.get(property.key()).show(property.common(scene, ids).orElse(""));
+            }
+        }
         repaint();
     }
 
-    private void show(Rows rows, Scene scene) {
-        rows.heading(scene.title().isEmpty() ? look().text("inspector.scene") : scene.title());
-        String size = Texts.number(scene.world().width(), 2) + " \u00d7 "
-                + Texts.number(scene.world().depth(), 2) + " m";
-        rows.field(look().text("property.size"), value(size));
-        String grid = scene.world().cols() + " \u00d7 " + scene.world().rows();
-        rows.field(look().text("property.grid"), value(grid));
-        rows.field(
-                look().text("property.cell"), value(Texts.number(scene.world().cell() * 100, 2) + " cm"));
-    }
-
-    private JLabel value(String text) {
-        JLabel label = look().label(text, Tone.TEXT);
-        Look.sized(label, 100, 24);
-        return label;
-    }
-
-    private void show(Rows rows, Obstacle obstacle) {
-        rows.heading(obstacle.name());
-        outline(rows, obstacle.outline(), shape -> obstacle.withOutline(shape));
-        rows.field(
-                look().text("property.bottom"),
-                number(
-                        "property.bottom",
-                        "m",
-                        2,
-                        obstacle.offset(),
-                        NOT_NEGATIVE,
-                        v -> commit(
-                                "edit.bottom",
-                                with(obstacle, v, obstacle.height(), obstacle.movable(), obstacle.mass()))));
-        rows.field(
-                look().text("property.height"),
-                number(
-                        "property.height",
-                        "m",
-                        2,
-                        obstacle.height(),
-                        POSITIVE,
-                        v -> commit(
-                                "edit.height",
-                                with(obstacle, obstacle.offset(), v, obstacle.movable(), obstacle.mass()))));
-        if (obstacle.movable()) {
-            rows.field(
-                    look().text("property.mass"),
-                    number(
-                            "property.mass",
-                            "kg",
-                            1,
-                            obstacle.mass(),
-                            POSITIVE,
-                            v -> commit("edit.mass", with(obstacle, obstacle.offset(), obstacle.height(), true, v))));
+    private String heading(Scene scene, List<String> ids) {
+        if (ids.isEmpty()) {
+            return scene.title().isEmpty() ? look().text("inspector.scene") : scene.title();
         }
-        Switch movable = new Switch(look());
-        movable.setName("property.movable");
-        movable.setSelected(obstacle.movable());
-        movable.addActionListener(e -> commit(
-                "edit.movable",
-                with(obstacle, obstacle.offset(), obstacle.height(), movable.isSelected(), obstacle.mass())));
-        rows.field(look().text("property.movable"), movable);
+        return ids.size() == 1
+                ? SceneEdits.name(scene, ids.get(0))
+                : look().texts().format("inspector.several", ids.size());
     }
 
-    private static Obstacle with(Obstacle o, double offset, double height, boolean movable, double mass) {
-        return new Obstacle(o.id(), o.label(), o.outline(), offset, height, movable, mass, o.colour());
+    private void build(Scene scene, List<String> ids, List<Group> groups) {
+        Component owner = KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
+        String focused = owner != null && isAncestorOf(owner) ? String.valueOf(owner.getName()) : "";
+        fields.clear();
+        Rows rows = new Rows(this, look());
+        rows.heading(heading(scene, ids));
+        if (ids.isEmpty()) {
+            String grid = scene.world().cols() + " \u00d7 " + scene.world().rows();
+            rows.field(look().text("property.grid"), Look.sized(look().label(grid, Tone.TEXT), 100, 24));
+        }
+        for (Group group : groups) {
+            if (!group.key().isEmpty()) {
+                rows.subheading(look().text("group." + group.key()));
+            }
+            build(rows, group.properties(), ids);
+        }
+        revalidate();
+        if (!focused.isEmpty()) {
+            for (Component group : getComponents()) {
+                if (group instanceof JComponent row) {
+                    refocus(row, focused);
+                }
+            }
+        }
     }
 
-    private void show(Rows rows, Ditch ditch) {
-        rows.heading(ditch.name());
-        outline(rows, ditch.outline(), ditch::withOutline);
-        rows.field(
-                look().text("property.depth"),
-                number(
-                        "property.depth",
-                        "m",
-                        2,
-                        ditch.depth(),
-                        POSITIVE,
-                        v -> commit("edit.depth", new Ditch(ditch.id(), ditch.label(), ditch.outline(), v))));
+    private static void refocus(JComponent row, String name) {
+        for (Component field : row.getComponents()) {
+            if (name.equals(field.getName())) {
+                field.requestFocusInWindow();
+            }
+        }
     }
 
-    /** Makes an element out of another outline. */
-    private interface Shaping {
-        Element with(Polygon outline);
+    /** Adds the rows of a group; neighbours with the same row stand beside each other. */
+    private void build(Rows rows, List<Property> properties, List<String> ids) {
+        List<JComponent> row = new ArrayList<>();
+        for (int i = 0; i < properties.size(); i++) {
+            Property property = properties.get(i);
+            row.add(field(property, ids));
+            boolean last =
+                    i + 1 == properties.size() || !properties.get(i + 1).row().equals(property.row());
+            if (last) {
+                rows.field(word(property.row()), row.toArray(JComponent[]::new));
+                row.clear();
+            }
+        }
     }
 
-    private void outline(Rows rows, Polygon outline, Shaping shaping) {
-        Point centre = outline.centroid();
-        rows.field(
-                look().text("property.position"),
-                number(
-                        "property.x",
-                        "m",
-                        2,
-                        centre.x(),
-                        ANY,
-                        v -> commit(
-                                "edit.position", shaping.with(SceneEdits.centred(outline, new Point(v, centre.y()))))),
-                number(
-                        "property.y",
-                        "m",
-                        2,
-                        centre.y(),
-                        ANY,
-                        v -> commit(
-                                "edit.position", shaping.with(SceneEdits.centred(outline, new Point(centre.x(), v))))));
-        rows.field(
-                look().text("property.turn"),
-                number(
-                        "property.turn",
-                        "\u00b0",
-                        1,
-                        0,
-                        ANY,
-                        v -> commit("edit.turn", shaping.with(SceneEdits.turned(outline, Math.toRadians(v))))));
+    /** Returns the word for a property; a setting without one of its own is called as in files. */
+    private String word(String key) {
+        String plain = key.startsWith("setting.") ? key.substring("setting.".length()) : key;
+        return look().texts().get("property." + key, plain);
     }
 
-    private void show(Rows rows, Journey journey) {
-        rows.heading(journey.name());
-        place(rows, "start", journey.start(), p -> journey.between(p, journey.goal()));
-        place(rows, "goal", journey.goal(), p -> journey.between(journey.start(), p));
+    /** Makes the field of a property of elements, those that are selected now even if it is left later. */
+    private JComponent field(Property property, List<String> ids) {
+        JComponent made = property.isSwitch()
+                ? onOff(property, ids)
+                : property.choices().isEmpty() ? entry(property, ids) : choice(property, ids);
+        made.setName("property." + property.key());
+        made.getAccessibleContext().setAccessibleName(word(property.row()));
+        return made;
     }
 
-    /** Makes a journey out of another place. */
-    private interface Placing extends java.util.function.Function<Place, Journey> {}
-
-    private void place(Rows rows, String end, Place place, Placing placing) {
-        JComponent x = number(
-                "property." + end + ".x",
-                "m",
-                2,
-                place.x(),
-                ANY,
-                v -> commit("edit." + end, placing.apply(new Place(v, place.y(), place.z()))));
-        JComponent y = number(
-                "property." + end + ".y",
-                "m",
-                2,
-                place.y(),
-                ANY,
-                v -> commit("edit." + end, placing.apply(new Place(place.x(), v, place.z()))));
-        rows.field(look().text("property." + end), x, y);
+    private Entry entry(Property property, List<String> ids) {
+        Entry entry = new Entry(look(), property.unit());
+        entry.onText(
+                text -> property.wrong(session().document().scene(), ids, text), text -> commit(property, ids, text));
+        fields.put(property.key(), value -> {
+            entry.setAbsent(absent(property, ids));
+            entry.showText(value);
+        });
+        return entry;
     }
 
-    private NumberField number(
-            String name, String unit, int decimals, double value, DoublePredicate right, DoubleConsumer taker) {
-        NumberField field = new NumberField(look(), unit, decimals);
-        field.setName(name);
-        field.onNumber(right, taker);
-        field.show(value);
-        return field;
+    private String absent(Property property, List<String> ids) {
+        return ids.size() > 1
+                ? look().text("property.mixed")
+                : look().texts().get("property." + property.key() + ".none", "");
     }
 
-    private void commit(String key, Element changed) {
-        String name = look().texts().format(key, changed.name());
-        UnaryOperator<Scene> edit = scene -> scene.with(changed);
-        session().document().commit(name, edit.apply(session().document().scene()));
+    private Switch onOff(Property property, List<String> ids) {
+        Switch made = new Switch(look());
+        made.addActionListener(e -> commit(property, ids, Boolean.toString(made.isSelected())));
+        fields.put(property.key(), value -> made.setSelected(Boolean.parseBoolean(value)));
+        return made;
+    }
+
+    private FlatButton choice(Property property, List<String> ids) {
+        FlatButton button = new FlatButton(look(), FlatButton.Style.PILL);
+        button.setHint("\u25be");
+        Look.sized(button, 60, 24);
+        String[] present = {""};
+        fields.put(property.key(), value -> {
+            present[0] = value;
+            button.setText(SceneEdits.name(session().document().shown(), value));
+        });
+        button.addActionListener(e -> {
+            button.setSelected(false);
+            JPopupMenu menu = new JPopupMenu();
+            for (String offered : property.choices()) {
+                String name = SceneEdits.name(session().document().shown(), offered);
+                JRadioButtonMenuItem item = new JRadioButtonMenuItem(name, offered.equals(present[0]));
+                item.setName("choice." + offered);
+                item.addActionListener(chosen -> commit(property, ids, offered));
+                menu.add(item);
+            }
+            menu.show(button, 0, button.getHeight() + 4);
+        });
+        return button;
+    }
+
+    private void commit(Property property, List<String> ids, String text) {
+        Scene scene = session().document().scene();
+        if (ids.stream().anyMatch(id -> scene.element(id).isEmpty())) {
+            return;
+        }
+        Optional<String> wrong = property.wrong(scene, ids, text);
+        if (wrong.isEmpty()) {
+            session().document().commit(name(property, scene, ids), property.with(scene, ids, text));
+        }
+        shown = null;
+        refresh();
+    }
+
+    private String name(Property property, Scene scene, List<String> ids) {
+        String what = ids.size() > 1
+                ? look().texts().format("edit.things", ids.size())
+                : ids.isEmpty() ? look().text("inspector.scene") : SceneEdits.name(scene, ids.get(0));
+        String key = "edit." + property.row();
+        return look().texts().get(key, "").isEmpty()
+                ? look().texts().format("edit.property", word(property.row()), what)
+                : look().texts().format(key, what);
     }
 
     @Override
-    public java.awt.Dimension getMaximumSize() {
-        return new java.awt.Dimension(Integer.MAX_VALUE, getPreferredSize().height);
+    public Dimension getMaximumSize() {
+        return new Dimension(Integer.MAX_VALUE, getPreferredSize().height);
     }
 }

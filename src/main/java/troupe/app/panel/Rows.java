@@ -37,6 +37,14 @@ final class Rows {
         return this;
     }
 
+    /** Adds a small heading of a group of rows. */
+    Rows subheading(String text) {
+        JLabel label = look.label(text, Tone.DIM);
+        label.setFont(Theme.bold(11.5f));
+        add(label, 0, 2, new Insets(8, 0, 2, 0));
+        return this;
+    }
+
     /** Adds a label with the fields that belong to it. */
     Rows field(String text, JComponent... fields) {
         JLabel label = look.label(text, Tone.DIM);

@@ -1,0 +1,54 @@
+package troupe.app.property;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import troupe.app.document.Labels;
+import troupe.scene.Actor;
+import troupe.scene.Element;
+import troupe.scene.Scene;
+import troupe.scene.Task;
+
+/** Finds the properties that things of a scene have in common. Pure. */
+public final class Properties {
+    private Properties() {}
+
+    /** Returns the properties that all of these elements have, in groups without empty ones; of none, those of the scene. */
+    public static List<Group> of(Scene scene, List<String> ids) {
+        if (ids.isEmpty()) {
+            return List.of(new Group("", SceneProperties.all()));
+        }
+        Optional<Element> first = scene.element(ids.get(0));
+        if (first.isEmpty()) {
+            return List.of();
+        }
+        List<Group> offered = new ArrayList<>();
+        if (ids.size() == 1) {
+            offered.add(new Group("", List.of(label())));
+        }
+        if (first.get() instanceof Actor actor) {
+            offered.addAll(ActorProperties.of(scene, actor));
+        } else if (first.get() instanceof Task task) {
+            offered.add(new Group("", TaskProperties.of(scene, task)));
+        } else {
+            offered.add(new Group("", ShapeProperties.all()));
+        }
+        return offered.stream()
+                .map(group -> new Group(
+                        group.key(),
+                        group.properties().stream()
+                                .filter(p -> p.common(scene, ids).isPresent())
+                                .toList()))
+                .filter(group -> !group.properties().isEmpty())
+                .toList();
+    }
+
+    private static Property label() {
+        return Property.typed(
+                "label",
+                "",
+                (scene, id) -> scene.element(id).filter(Labels::canLabel).map(Element::label),
+                (scene, id, text) ->
+                        scene.with(Labels.labelled(scene.element(id).orElseThrow(), text.strip())));
+    }
+}

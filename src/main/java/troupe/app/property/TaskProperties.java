@@ -1,0 +1,135 @@
+package troupe.app.property;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import troupe.app.document.SceneEdits;
+import troupe.scene.Journey;
+import troupe.scene.Place;
+import troupe.scene.Scene;
+import troupe.scene.Settings;
+import troupe.scene.Task;
+
+/**
+ * Lists the properties of tasks: those of a journey with its places as numbers and its actor to choose, and the
+ * settings of any other kind as files know them.
+ */
+final class TaskProperties {
+    private TaskProperties() {}
+
+    static List<Property> of(Scene scene, Task task) {
+        List<Property> all = new ArrayList<>();
+        boolean journey = task instanceof Journey;
+        if (journey) {
+            all.add(actor(scene));
+            for (boolean start : new boolean[] {true, false}) {
+                all.add(coordinate(start, "x"));
+                all.add(coordinate(start, "y"));
+                all.add(elevation(start));
+            }
+        }
+        for (String key : Settings.values(scene, task.id()).keySet()) {
+            boolean elsewhere = key.equals("cell")
+                    || ActorProperties.isOfActor(key)
+                    || key.startsWith("preference.")
+                    || journey
+                            && List.of("start", "goal", "manipulation", "headings")
+                                    .contains(key);
+            if (!elsewhere) {
+                all.add(setting(key));
+            }
+        }
+        return all;
+    }
+
+    /** Makes the property of a setting of tasks. */
+    static Property setting(String key) {
+        return Property.typed(
+                "setting." + key,
+                ActorProperties.unit(key),
+                (scene, id) ->
+                        scene.task(id).map(t -> Settings.values(scene, id).get(key)),
+                (scene, id, text) -> Settings.apply(scene, id, key, text.strip().replace('\u2212', '-')));
+    }
+
+    private static Optional<Journey> journey(Scene scene, String id) {
+        return scene.task(id).map(t -> t instanceof Journey j ? j : null);
+    }
+
+    private static Place place(Journey journey, boolean start) {
+        return start ? journey.start() : journey.goal();
+    }
+
+    private static Scene with(Scene scene, String id, boolean start, Place place) {
+        Journey journey = journey(scene, id).orElseThrow();
+        return start ? SceneEdits.startingAt(scene, journey, place) : SceneEdits.endingAt(scene, journey, place);
+    }
+
+    private static String end(boolean start) {
+        return start ? "start" : "goal";
+    }
+
+    private static Property coordinate(boolean start, String axis) {
+        return new Property(
+                end(start) + "." + axis,
+                end(start),
+                "m",
+                List.of(),
+                (scene, id) -> journey(scene, id)
+                        .map(j -> place(j, start))
+                        .map(p -> Typed.text(axis.equals("x") ? p.x() : p.y(), 2)),
+                (scene, id, text) -> {
+                    double v = Typed.number(text, Typed.ANY);
+                    Place p = place(journey(scene, id).orElseThrow(), start);
+                    return with(
+                            scene,
+                            id,
+                            start,
+                            axis.equals("x") ? new Place(v, p.y(), p.z()) : new Place(p.x(), v, p.z()));
+                });
+    }
+
+    private static Property elevation(boolean start) {
+        return Property.typed(
+                end(start) + ".z",
+                "m",
+                (scene, id) -> journey(scene, id)
+                        .map(j -> place(j, start))
+                        .map(p -> p.z().isPresent() ? Typed.text(p.z().getAsDouble(), 2) : ""),
+                (scene, id, text) -> {
+                    Place p = place(journey(scene, id).orElseThrow(), start);
+                    OptionalDouble z =
+                            text.isBlank() ? OptionalDouble.empty() : OptionalDouble.of(Typed.number(text, Typed.ANY));
+                    return with(scene, id, start, new Place(p.x(), p.y(), z));
+                });
+    }
+
+    private static Property actor(Scene scene) {
+        List<String> ids = scene.actors().stream().map(a -> a.id()).toList();
+        return new Property(
+                "actor",
+                "actor",
+                "",
+                ids,
+                (now, id) -> journey(now, id).map(Journey::actor),
+                (now, id, text) -> now.with(acted(journey(now, id).orElseThrow(), text)));
+    }
+
+    private static Journey acted(Journey j, String actor) {
+        return new Journey(
+                j.id(),
+                j.label(),
+                actor,
+                j.start(),
+                j.goal(),
+                j.preferences(),
+                j.ordering(),
+                j.spread(),
+                j.manipulation(),
+                j.headings(),
+                j.slice(),
+                j.expansions(),
+                j.seed());
+    }
+}
