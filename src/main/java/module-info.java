@@ -13,6 +13,9 @@ module troupe {
     exports troupe.grid.layer;
     exports troupe.grid.region;
     exports troupe.run;
+    exports troupe.risk;
+    exports troupe.risk.forecast;
+    exports troupe.risk.plan;
     exports troupe.unified;
     exports troupe.unified.manipulation;
     exports troupe.unified.search;

@@ -45,6 +45,9 @@ public final class CsvExport implements StreamExporter {
             settings.proceed();
             StringBuilder rows = new StringBuilder();
             for (Track track : tracks) {
+                if (!track.isThere(frame)) {
+                    continue;
+                }
                 double degrees = Math.toDegrees(Math.IEEEremainder(track.headingRad(frame), 2 * Math.PI));
                 rows.append(frame).append(',').append(number(frame / frames.rate()));
                 rows.append(',').append(quoted(track.id()));
@@ -62,7 +65,7 @@ public final class CsvExport implements StreamExporter {
         for (Track track : tracks) {
             for (int frame = 0; frame < run.frames().count(); frame++) {
                 double sum = track.x(frame) + track.y(frame) + track.z(frame) + track.headingRad(frame);
-                if (!Double.isFinite(sum)) {
+                if (track.isThere(frame) && !Double.isFinite(sum)) {
                     throw new ExchangeException(
                             "frame " + frame,
                             0,

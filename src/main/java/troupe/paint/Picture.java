@@ -10,6 +10,7 @@ import java.util.function.UnaryOperator;
 import troupe.geometry.Box;
 import troupe.run.Overlay;
 import troupe.run.Run;
+import troupe.scene.Encounter;
 import troupe.scene.Journey;
 import troupe.scene.Scene;
 
@@ -248,6 +249,10 @@ public record Picture(
         if (run.isEmpty() && scene.tasks().stream().findFirst().orElse(null) instanceof Journey journey) {
             TaskPainter.paint(g, scene, journey, view, theme);
             TaskPainter.take(labels, journey, view);
+        }
+        if (run.isEmpty() && scene.tasks().stream().findFirst().orElse(null) instanceof Encounter encounter) {
+            TaskPainter.paint(g, scene, encounter, view, theme);
+            TaskPainter.take(labels, encounter, view);
         }
         painter.paintLabels(g, view, labels);
         runPainter.ifPresent(p -> p.paintPills(g, view, labels));

@@ -44,6 +44,7 @@ public final class RunPainter {
     private final boolean gripping;
     private final List<Drawn> legs;
     private final Optional<CrowdPainter> crowd;
+    private final Optional<EncounterPainter> encounter;
 
     private record Drawn(Optional<Ability> ability, List<Cover.Part> parts) {}
 
@@ -58,14 +59,19 @@ public final class RunPainter {
         this.crowd = simulated.map(c -> new CrowdPainter(c, run.frames(), theme));
         List<String> groups =
                 simulated.stream().flatMap(Crowd::allGroups).map(CrowdGroup::id).toList();
+        this.encounter = EncounterPainter.of(run, theme);
         this.tracks = Track.of(run).stream()
-                .filter(track -> run.scene().obstacle(track.owner()).isEmpty() && !groups.contains(track.owner()))
+                .filter(track -> run.scene().obstacle(track.owner()).isEmpty()
+                        && !groups.contains(track.owner())
+                        && encounter.isEmpty())
                 .toList();
         this.gripping = run.scene().task(run.task()).orElse(null) instanceof Journey journey
                 && journey.manipulation() == Journey.Manipulation.GRIP;
-        this.legs = run.legs().stream()
-                .map(leg -> new Drawn(Track.ability(leg.ability()), cover.parts(leg.points())))
-                .toList();
+        // the way of an encounter grows with time
+        this.legs = (encounter.isPresent() ? List.<Run.Leg>of() : run.legs())
+                .stream()
+                        .map(leg -> new Drawn(Track.ability(leg.ability()), cover.parts(leg.points())))
+                        .toList();
     }
 
     /**
@@ -140,6 +146,7 @@ public final class RunPainter {
             TaskPainter.paint(g, run.scene(), journey, view, theme);
         }
         crowd.ifPresent(c -> c.paintGoals(g, view));
+        encounter.ifPresent(e -> e.paintEnds(g, view));
     }
 
     /**
@@ -151,6 +158,7 @@ public final class RunPainter {
             TaskPainter.take(labels, journey, view);
         }
         crowd.ifPresent(c -> c.takeRoom(labels, view, time));
+        encounter.ifPresent(e -> e.takeRoom(labels, view, time));
         for (double[] p : pixels(legs, view)) {
             labels.take(new Rectangle2D.Double(p[0] - 1, p[1] - 1, 2, 2));
         }
@@ -222,6 +230,7 @@ public final class RunPainter {
             return;
         }
         crowd.ifPresent(c -> c.paintAgents(graphics, view, time));
+        encounter.ifPresent(e -> e.paint(graphics, view, time));
         int frame = Track.frameAt(run.frames(), time);
         Graphics2D g = Shapes.smooth(graphics);
         for (Track track : tracks) {

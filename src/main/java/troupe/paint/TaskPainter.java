@@ -6,6 +6,7 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
+import troupe.scene.Encounter;
 import troupe.scene.Journey;
 import troupe.scene.Place;
 import troupe.scene.Scene;
@@ -19,22 +20,45 @@ public final class TaskPainter {
 
     /** Paints the ends of a journey in the colour of its actor, or else of walking. */
     public static void paint(Graphics2D graphics, Scene scene, Journey journey, Viewport view, Theme theme) {
-        Graphics2D g = Shapes.smooth(graphics);
-        Color colour = scene.actor(journey.actor())
+        paintEnds(graphics, colour(scene, journey.actor(), theme), journey.start(), journey.goal(), view, theme);
+    }
+
+    /** Paints the ends of an encounter in the colour of its actor, or else of walking. */
+    public static void paint(Graphics2D graphics, Scene scene, Encounter encounter, Viewport view, Theme theme) {
+        Color colour = colour(scene, encounter.actor(), theme);
+        paintEnds(graphics, colour, encounter.start(), encounter.goal(), view, theme);
+    }
+
+    private static Color colour(Scene scene, String actor, Theme theme) {
+        return scene.actor(actor)
                 .map(a -> Shapes.colour(a.colour(), theme.color(Tone.WALK)))
                 .orElse(theme.color(Tone.WALK));
-        paintStart(g, theme, colour, journey.start(), view);
-        paintGoal(g, theme, colour, journey.goal(), view);
+    }
+
+    private static void paintEnds(
+            Graphics2D graphics, Color colour, Place start, Place goal, Viewport view, Theme theme) {
+        Graphics2D g = Shapes.smooth(graphics);
+        paintStart(g, theme, colour, start, view);
+        paintGoal(g, theme, colour, goal, view);
         g.dispose();
     }
 
     /** Takes the room of ring and flag, so that text keeps away from them. */
     public static void take(Labels labels, Journey journey, Viewport view) {
-        double x = view.px(journey.start().x());
-        double y = view.py(journey.start().y());
+        take(labels, journey.start(), journey.goal(), view);
+    }
+
+    /** Takes the room of the ring and flag of an encounter. */
+    public static void take(Labels labels, Encounter encounter, Viewport view) {
+        take(labels, encounter.start(), encounter.goal(), view);
+    }
+
+    private static void take(Labels labels, Place start, Place goal, Viewport view) {
+        double x = view.px(start.x());
+        double y = view.py(start.y());
         labels.take(new Rectangle2D.Double(x - RING, y - RING, 2 * RING, 2 * RING));
-        x = view.px(journey.goal().x());
-        y = view.py(journey.goal().y());
+        x = view.px(goal.x());
+        y = view.py(goal.y());
         labels.take(new Rectangle2D.Double(x - 2, y - POLE, 20, POLE + 2));
     }
 

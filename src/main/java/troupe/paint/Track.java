@@ -82,6 +82,11 @@ public final class Track {
         return frames.value(frame, y, member);
     }
 
+    /** Tells whether it is there at all in a frame: one that is not has neither x nor y. */
+    public boolean isThere(int frame) {
+        return !(Double.isNaN(x(frame)) && Double.isNaN(y(frame)));
+    }
+
     /** Returns the elevation in metres in a frame; if the run does not tell, that of an obstacle's bottom, else 0. */
     public double z(int frame) {
         return z < 0 ? elevation : frames.value(frame, z, member);

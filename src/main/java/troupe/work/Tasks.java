@@ -3,11 +3,13 @@ package troupe.work;
 import java.util.List;
 import java.util.function.BiFunction;
 import troupe.crowd.CrowdEngine;
+import troupe.risk.EncounterEngine;
 import troupe.run.Engine;
 import troupe.run.Run;
 import troupe.run.RunException;
 import troupe.run.Simulation;
 import troupe.scene.Crowd;
+import troupe.scene.Encounter;
 import troupe.scene.Journey;
 import troupe.scene.Scene;
 import troupe.scene.Task;
@@ -15,8 +17,10 @@ import troupe.unified.JourneyEngine;
 
 /** Starts any task of a scene. A new planner is one more line of {@link #KINDS}. */
 public final class Tasks {
-    private static final List<Kind<?>> KINDS =
-            List.of(new Kind<>(Journey.class, JourneyEngine::of), new Kind<>(Crowd.class, CrowdEngine::of));
+    private static final List<Kind<?>> KINDS = List.of(
+            new Kind<>(Journey.class, JourneyEngine::of),
+            new Kind<>(Encounter.class, EncounterEngine::of),
+            new Kind<>(Crowd.class, CrowdEngine::of));
 
     /** A kind of task and what starts it. */
     private record Kind<T extends Task>(Class<T> type, BiFunction<Scene, T, Engine> starter) {
