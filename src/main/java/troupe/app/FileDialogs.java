@@ -2,14 +2,15 @@ package troupe.app;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import javax.swing.JFileChooser;
 import javax.swing.JFrame;
-import javax.swing.JOptionPane;
 import javax.swing.filechooser.FileNameExtensionFilter;
 import troupe.app.document.Listeners;
 import troupe.app.document.SceneDocument;
 import troupe.app.look.Look;
+import troupe.app.look.Question;
 import troupe.app.session.Session;
 
 /** Asks which file to open or to save to, and what to do with what is not saved. */
@@ -36,12 +37,25 @@ final class FileDialogs {
 
     /** Saves to the document's file, or asks for one. */
     void save() {
-        session.document().file().ifPresentOrElse(session::save, this::saveAs);
+        saving();
     }
 
     /** Asks for a file and saves to it. */
     void saveAs() {
-        ask("xml", "file.scenes").ifPresent(session::save);
+        askAndSave();
+    }
+
+    /** Saves, and tells whether that has begun: it has not if the person was asked for a file and named none. */
+    private boolean saving() {
+        Optional<Path> file = session.document().file();
+        file.ifPresent(session::save);
+        return file.isPresent() || askAndSave();
+    }
+
+    private boolean askAndSave() {
+        Optional<Path> file = ask("xml", "file.scenes");
+        file.ifPresent(session::save);
+        return file.isPresent();
     }
 
     private JFileChooser chooser(String ending, String words) {
@@ -63,14 +77,10 @@ final class FileDialogs {
         Path chosen = chooser.getSelectedFile().toPath();
         String name = chosen.getFileName().toString();
         Path file = name.contains(".") ? chosen : chosen.resolveSibling(name + "." + ending);
-        boolean taken = Files.exists(file);
-        boolean yes = !taken
-                || JOptionPane.showConfirmDialog(
-                                frame,
-                                look.texts().format("file.replace", file.getFileName()),
-                                look.text("file.replace.title"),
-                                JOptionPane.YES_NO_OPTION)
-                        == JOptionPane.YES_OPTION;
+        boolean yes = !Files.exists(file)
+                || new Question(look, "replace")
+                        .ask(frame, look.texts().format("replace", file.getFileName()), List.of("yes", "cancel"))
+                        .equals(Optional.of("yes"));
         return yes ? Optional.of(file) : Optional.empty();
     }
 
@@ -81,25 +91,22 @@ final class FileDialogs {
             action.run();
             return;
         }
-        Object[] answers = {look.text("file.save"), look.text("file.discard"), look.text("file.cancel")};
-        int answer = JOptionPane.showOptionDialog(
-                frame,
-                look.texts().format("file.unsaved", FileWords.name(document, look.texts())),
-                look.text("file.unsaved.title"),
-                JOptionPane.YES_NO_CANCEL_OPTION,
-                JOptionPane.QUESTION_MESSAGE,
-                null,
-                answers,
-                answers[0]);
-        if (answer == 1) {
+        Optional<String> answer = new Question(look, "unsaved")
+                .ask(
+                        frame,
+                        look.texts().format("unsaved", FileWords.plain(document, look.texts())),
+                        List.of("save", "discard", "cancel"));
+        if (answer.equals(Optional.of("discard"))) {
             action.run();
-        } else if (answer == 0) {
-            whenSaved(action);
-            save();
+        } else if (answer.equals(Optional.of("save"))) {
+            Runnable leave = whenSaved(action);
+            if (!saving()) {
+                leave.run();
+            }
         }
     }
 
-    private void whenSaved(Runnable action) {
+    private Runnable whenSaved(Runnable action) {
         Listeners<SceneDocument.Change> listeners = session.document().listeners();
         Runnable[] leave = new Runnable[1];
         leave[0] = listeners.add(change -> {
@@ -108,5 +115,6 @@ final class FileDialogs {
                 action.run();
             }
         });
+        return leave[0];
     }
 }

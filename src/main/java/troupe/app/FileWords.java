@@ -7,12 +7,17 @@ import troupe.app.look.Texts;
 final class FileWords {
     private FileWords() {}
 
-    /** Returns the file's name, or the scene's title, and whether it is edited. */
-    static String name(SceneDocument document, Texts texts) {
+    /** Returns the file's name, or the scene's title. */
+    static String plain(SceneDocument document, Texts texts) {
         String title = document.scene().title().isEmpty()
                 ? texts.get("file.untitled")
                 : document.scene().title();
-        String name = document.file().map(f -> f.getFileName().toString()).orElse(title);
+        return document.file().map(f -> f.getFileName().toString()).orElse(title);
+    }
+
+    /** Returns the file's name, or the scene's title, and whether it is edited. */
+    static String name(SceneDocument document, Texts texts) {
+        String name = plain(document, texts);
         return document.isUnsaved() ? texts.format("file.edited", name) : name;
     }
 

@@ -15,6 +15,8 @@ import troupe.app.document.SceneDocument;
 import troupe.app.plan.PlanningSteps;
 import troupe.app.session.SceneFiles;
 import troupe.app.session.Session;
+import troupe.app.settings.Opening;
+import troupe.app.settings.StudioSettings;
 import troupe.run.Engine;
 import troupe.run.GridOverlays;
 import troupe.run.Overlay;
@@ -47,14 +49,36 @@ public final class Studio {
         if (System.getProperty("awt.useSystemAAFontSettings") == null) {
             System.setProperty("awt.useSystemAAFontSettings", "on");
         }
-        Path local = Path.of(DEFAULT_SCENE);
-        Optional<Path> file = scene.or(() -> Files.isRegularFile(local) ? Optional.of(local) : Optional.empty());
-        Scene read = file.isPresent() ? FILES.read(file.get()) : builtIn();
         StudioSettings settings = StudioSettings.ofPerson();
+        boolean page = scene.isEmpty() && settings.opening() == Opening.PAGE;
+        Path local = Path.of(DEFAULT_SCENE);
+        Optional<Path> file = scene.or(() -> last(settings))
+                .or(() -> Files.isRegularFile(local) ? Optional.of(local) : Optional.empty());
+        Scene read = file.isPresent() ? FILES.read(file.get()) : builtIn();
         EventQueue.invokeLater(() -> {
+            scene.ifPresent(settings::addRecent);
             Session session = new Session(new SceneDocument(read, file), STEPS, FILES, EventQueue::invokeLater);
-            new StudioWindow(session, settings, EventQueue::invokeLater).open();
+            StudioWindow window = new StudioWindow(session, settings, EventQueue::invokeLater);
+            window.open();
+            if (page) {
+                window.pages().showStart();
+            }
             session.planNow();
+        });
+    }
+
+    /** Returns the file opened last, if that is what the person wants to begin with and it is still a scene. */
+    private static Optional<Path> last(StudioSettings settings) {
+        Optional<Path> newest =
+                settings.opening() == Opening.LAST ? settings.recent().stream().findFirst() : Optional.empty();
+        return newest.filter(file -> {
+            try {
+                FILES.read(file);
+                return true;
+            } catch (SceneException | IOException e) {
+                // gone or broken since; the sample scene is opened instead
+                return false;
+            }
         });
     }
 

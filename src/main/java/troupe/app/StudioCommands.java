@@ -76,6 +76,8 @@ final class StudioCommands implements AutoCloseable {
 
     private void addFile() {
         FileDialogs files = new FileDialogs(window.frame(), session, look);
+        commands.add("file", "startpage", window.pages()::showStart);
+        commands.add("file", "new", () -> NewSceneDialog.show(window, window.pages()));
         commands.add("file", "open", files::open);
         commands.separate();
         commands.add("file", "save", files::save);

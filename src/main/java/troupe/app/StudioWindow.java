@@ -37,6 +37,7 @@ import troupe.app.panel.TimelinePanel;
 import troupe.app.panel.ToolStrip;
 import troupe.app.play.Playback;
 import troupe.app.session.Session;
+import troupe.app.settings.StudioSettings;
 import troupe.app.tool.Hits;
 import troupe.app.tool.Tool;
 import troupe.geometry.Box;
@@ -57,6 +58,7 @@ final class StudioWindow {
     private final JFrame frame = new JFrame();
     private final Timer clock;
     private final PlayKey playKey;
+    private final Pages pages;
     private long ticked;
     private Look look;
     private Content content;
@@ -93,6 +95,8 @@ final class StudioWindow {
             }
         });
         session.playback().listeners().add(this::runClock);
+        pages = new Pages(this, settings, eventThread);
+        frame.setTransferHandler(new SceneDrop(pages::open));
         build();
         playKey = new PlayKey(
                         focused -> SwingUtilities.getWindowAncestor(focused) == frame,
@@ -118,6 +122,11 @@ final class StudioWindow {
     /** Returns the session. */
     Session session() {
         return session;
+    }
+
+    /** Returns the pages: the scene and the start page. */
+    Pages pages() {
+        return pages;
     }
 
     /** Returns the canvas that is shown now. */
@@ -148,7 +157,8 @@ final class StudioWindow {
         StudioCommands made = new StudioCommands(this, look, canvas);
         content = content(canvas, made);
         view.ifPresent(canvas::show);
-        frame.setJMenuBar(new TopBar(look, session, made.commands(), this::search));
+        RecentMenu recent = new RecentMenu(look, settings::recent, pages::open);
+        frame.setJMenuBar(new TopBar(look, session, made.commands(), recent, this::search));
         frame.revalidate();
         frame.repaint();
         canvas.requestFocusInWindow();
@@ -187,7 +197,7 @@ final class StudioWindow {
         made.onTool(hint);
         canvas.gestures().add(hint);
         JPanel all = new JPanel(new BorderLayout());
-        all.add(body(made, outline, canvas, inspector, timeline), BorderLayout.CENTER);
+        all.add(pages.around(body(made, outline, canvas, inspector, timeline)), BorderLayout.CENTER);
         all.add(status, BorderLayout.SOUTH);
         frame.setContentPane(all);
         return new Content(
@@ -345,6 +355,7 @@ final class StudioWindow {
     void dispose() {
         clock.stop();
         playKey.close();
+        pages.close();
         dispose(content);
         session.close();
         frame.dispose();

@@ -22,13 +22,16 @@ import troupe.scene.Task;
 
 /** The bar at the top: menus, the name of the document, the task, the search, live planning. */
 final class TopBar extends JMenuBar {
+    /** After start page, new and open. */
+    private static final int RECENT_AT = 3;
+
     private final transient Look look;
     private final transient Session session;
     private final JLabel title = new JLabel("", SwingConstants.CENTER);
     private final FlatButton task;
     private transient Runnable leave = () -> {};
 
-    TopBar(Look look, Session session, Commands commands, Runnable search) {
+    TopBar(Look look, Session session, Commands commands, JMenu recent, Runnable search) {
         this.look = look;
         this.session = session;
         setName("top");
@@ -42,6 +45,9 @@ final class TopBar extends JMenuBar {
         add(Box.createHorizontalStrut(12));
         for (JMenu menu : commands.menus()) {
             menu.setFont(look.font());
+            if (menu.getName().equals("menu.file")) {
+                menu.add(recent, RECENT_AT);
+            }
             add(menu);
         }
         title.setFont(look.font());

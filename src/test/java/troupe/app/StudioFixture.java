@@ -9,6 +9,7 @@ import java.awt.EventQueue;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.Robot;
+import java.awt.Window;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
@@ -25,6 +26,7 @@ import troupe.app.plan.Plan;
 import troupe.app.plan.PlanningSteps;
 import troupe.app.session.SceneFiles;
 import troupe.app.session.Session;
+import troupe.app.settings.StudioSettings;
 import troupe.paint.Viewport;
 import troupe.run.Engine;
 import troupe.run.Overlay;
@@ -228,10 +230,25 @@ final class StudioFixture implements AutoCloseable {
         }
     }
 
-    /** Finds a component of the window by its name. */
+    /** Finds a component of the window, or of a dialog that belongs to it, by its name. */
     Component find(String name) {
-        return OnEventThread.get(() -> find(window.frame(), name)
-                .orElseThrow(() -> new AssertionError("no component " + name + " in the window")));
+        return OnEventThread.get(
+                () -> look(name).orElseThrow(() -> new AssertionError("no component " + name + " in the window")));
+    }
+
+    /** Tells whether there is a component of a name to be seen. */
+    boolean shows(String name) {
+        return OnEventThread.get(() -> look(name).filter(Component::isShowing).isPresent());
+    }
+
+    private Optional<Component> look(String name) {
+        for (Window dialog : window.frame().getOwnedWindows()) {
+            Optional<Component> found = dialog.isShowing() ? find(dialog, name) : Optional.empty();
+            if (found.isPresent()) {
+                return found;
+            }
+        }
+        return find(window.frame(), name);
     }
 
     private static Optional<Component> find(Container in, String name) {

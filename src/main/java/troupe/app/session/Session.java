@@ -167,13 +167,27 @@ public final class Session implements AutoCloseable {
         plans.tell(newer);
     }
 
+    /** Returns what reads and writes scene files, on a background thread. */
+    public SceneFiles files() {
+        return files;
+    }
+
     /** Opens a file in place of the document; a file that cannot be read leaves it as it is, with a notice. */
     public void open(Path file) {
+        open(file, Optional.of(file));
+    }
+
+    /** Opens what a file holds as a new document, which belongs to no file yet. */
+    public void openCopy(Path file) {
+        open(file, Optional.empty());
+    }
+
+    private void open(Path file, Optional<Path> belongs) {
         EventThread.require();
         background.execute(() -> {
             try {
                 Scene read = files.read(file);
-                eventThread.execute(() -> document.open(read, Optional.of(file)));
+                eventThread.execute(() -> document.open(read, belongs));
             } catch (SceneException | IOException e) {
                 tell(new Notice(true, line(file, e)));
             }
