@@ -22,7 +22,8 @@ final class NewSceneDialog {
         dialog.setName("new");
         JPanel all = new JPanel(new java.awt.BorderLayout());
         all.setBackground(look.color(Tone.PANEL));
-        all.setBorder(BorderFactory.createCompoundBorder(look.line(1, 1, 1, 1), BorderFactory.createEmptyBorder(18, 20, 20, 20)));
+        all.setBorder(BorderFactory.createCompoundBorder(
+                look.line(1, 1, 1, 1), BorderFactory.createEmptyBorder(18, 20, 20, 20)));
         all.add(new NewScenePanel(look, scene -> {
             dialog.dispose();
             pages.create(scene);

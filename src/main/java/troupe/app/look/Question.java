@@ -40,7 +40,8 @@ public final class Question {
         dialog.setName(key);
         JPanel all = new JPanel(new BorderLayout(0, 18));
         all.setBackground(look.color(Tone.PANEL));
-        all.setBorder(BorderFactory.createCompoundBorder(look.line(1, 1, 1, 1), BorderFactory.createEmptyBorder(20, 22, 18, 22)));
+        all.setBorder(BorderFactory.createCompoundBorder(
+                look.line(1, 1, 1, 1), BorderFactory.createEmptyBorder(20, 22, 18, 22)));
         all.add(content, BorderLayout.CENTER);
         JPanel buttons = new JPanel(new FlowLayout(FlowLayout.RIGHT, 8, 0));
         buttons.setOpaque(false);
