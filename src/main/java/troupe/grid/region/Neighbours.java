@@ -1,5 +1,6 @@
 package troupe.grid.region;
 
+import java.util.Arrays;
 import java.util.Locale;
 import troupe.grid.GridFrame;
 import troupe.grid.GridLimitException;
@@ -50,30 +51,78 @@ final class Neighbours {
         }
     }
 
-    /** Marks as special, over the cells of a window, the open spans that may have a crossing for a neighbour. */
+    /**
+     * Marks as special, over the cells of a window, the open spans that may have a crossing for a neighbour. Cost
+     * O(crossings near + cells of the boxes around those of each level).
+     */
     void markNear(Window window) {
         Window around = window.grown(1, frame);
+        int[] numbers = new int[64];
+        int count = 0;
+        int[] start = new int[spans.levels() + 1];
         for (int row = around.row0(); row < around.row0() + around.rows(); row++) {
             int from = frame.index(around.col0(), row);
-            for (int i = crossings.first(from), end = crossings.first(from + around.cols()); i < end; i++) {
-                markNear(window, i);
+            int end = crossings.first(from + around.cols());
+            for (int i = crossings.first(from); i < end; i++) {
+                if (count == numbers.length) {
+                    numbers = Arrays.copyOf(numbers, 2 * count);
+                }
+                numbers[count++] = i;
+                start[crossings.level(i) + 1]++;
+            }
+        }
+        for (int level = 0; level < spans.levels(); level++) {
+            start[level + 1] += start[level];
+        }
+        int[] cells = new int[count];
+        int[] next = start.clone();
+        for (int n = 0; n < count; n++) {
+            cells[next[crossings.level(numbers[n])]++] = crossings.cell(numbers[n]);
+        }
+        for (int level = 0; level < spans.levels(); level++) {
+            if (start[level] < start[level + 1]) {
+                markNear(window, Arrays.copyOfRange(cells, start[level], start[level + 1]), spans.elevation(level));
             }
         }
     }
 
-    private void markNear(Window window, int crossing) {
-        int row = frame.row(crossings.cell(crossing));
-        int col = crossings.cell(crossing) - row * frame.cols();
-        for (int d = 0; d < GridFrame.DIRECTIONS; d++) {
-            if (!window.holds(col + GridFrame.dx(d), row + GridFrame.dy(d))) {
-                continue;
-            }
-            int cell = crossings.cell(crossing) + offsets[d];
-            for (int q = cell; q < spanCount; q += frame.size()) {
-                int word = words.get(q);
-                if ((word & Words.STANDING) != 0 && (word & Words.SPECIAL) == 0 && near(spans.floor(q), crossing)) {
-                    words.set(q, word | Words.SPECIAL);
+    /** Marks what is near crossings of one elevation, which lie over ascending cells. */
+    private void markNear(Window window, int[] over, double elevation) {
+        int left = frame.cols();
+        int right = 0;
+        for (int cell : over) {
+            int col = frame.col(cell);
+            left = Math.min(left, col);
+            right = Math.max(right, col);
+        }
+        int bottom = frame.row(over[0]);
+        int wide = right - left + 5;
+        byte[] mask = new byte[wide * (frame.row(over[over.length - 1]) - bottom + 5)];
+        for (int cell : over) {
+            int row = frame.row(cell);
+            mask[(row - bottom + 2) * wide + cell - row * frame.cols() - left + 2] = 1;
+        }
+        Window box = new Window(left - 1, bottom - 1, wide - 2, mask.length / wide - 2).common(window);
+        for (int row = box.row0(); row < box.row0() + box.rows(); row++) {
+            int at = (row - bottom + 2) * wide + box.col0() - left + 2;
+            int cell = frame.index(box.col0(), row);
+            for (int end = cell + box.cols(); cell < end; cell++, at++) {
+                int beside = mask[at - 1] | mask[at + 1] | mask[at - wide] | mask[at + wide];
+                int across = mask[at - wide - 1] | mask[at - wide + 1] | mask[at + wide - 1] | mask[at + wide + 1];
+                if ((beside | across) != 0) {
+                    mark(cell, elevation);
                 }
+            }
+        }
+    }
+
+    private void mark(int cell, double elevation) {
+        for (int q = cell; q < spanCount; q += frame.size()) {
+            int word = words.get(q);
+            if ((word & Words.STANDING) != 0
+                    && (word & Words.SPECIAL) == 0
+                    && Math.abs(spans.floor(q) - elevation) <= stepHeight + Column.SAME) {
+                words.set(q, word | Words.SPECIAL);
             }
         }
     }
@@ -161,7 +210,18 @@ final class Neighbours {
     private boolean legal(int q, int cell, int d, int target, int[] targets, int[] directions, int count) {
         int open = d < 4 ? 0 : 1 << d - 4 | 1 << (d - 3 & 3);
         return joins(q, cell, target, cell + offsets[d])
-                && bridged(open, cell, target, cell + offsets[d], targets, directions, count);
+                && (isEven(q, cell, open)
+                        || bridged(open, cell, target, cell + offsets[d], targets, directions, count));
+    }
+
+    /** Tells whether steps lead in some straight directions to spans on the same floor: what joins the one joins them. */
+    private boolean isEven(int q, int cell, int straight) {
+        int[] at = spans.columnAt();
+        boolean even = (words.get(q) >> Words.MOVES & straight) == straight;
+        for (int d = 0; even && d < 4; d++) {
+            even = (straight >> d & 1) == 0 || at[cell + offsets[d]] == at[cell];
+        }
+        return even;
     }
 
     /** Tells whether something found in a straight direction is joined to the target, too. */

@@ -12,11 +12,12 @@ import troupe.scene.Ability;
  */
 public final class Reach {
     private final Region region;
-    private final BitSet reached = new BitSet();
+    private final BitSet reached;
     private int count;
 
     private Reach(Region region) {
         this.region = region;
+        this.reached = new BitSet(region.size());
     }
 
     /**
@@ -40,11 +41,25 @@ public final class Reach {
         int[] queue = new int[256];
         int[] targets = new int[Region.MAX_NEIGHBOURS];
         int[] directions = new int[Region.MAX_NEIGHBOURS];
+        int[] offsets = region.frame().offsets();
         reached.set(start);
         queue[count++] = start;
         for (int head = 0; head < count; head++) {
             if (others.get(queue[head])) {
                 return true;
+            }
+            if (region.plain(queue[head])) {
+                if (count + GridFrame.DIRECTIONS > queue.length) {
+                    queue = Arrays.copyOf(queue, 2 * queue.length);
+                }
+                for (int rest = region.moves(queue[head]); rest != 0; rest &= rest - 1) {
+                    int to = queue[head] + offsets[Integer.numberOfTrailingZeros(rest)];
+                    if (!reached.get(to)) {
+                        reached.set(to);
+                        queue[count++] = to;
+                    }
+                }
+                continue;
             }
             int n = region.neighbours(queue[head], targets, directions);
             if (count + n > queue.length) {

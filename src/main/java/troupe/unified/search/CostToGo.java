@@ -27,7 +27,7 @@ final class CostToGo implements Expander {
 
     private static final Outcome NOTHING_LEFT = new Outcome.Infeasible("everything that reaches the goal is settled");
 
-    private static final int ANY = JourneyWorkspace.ANY;
+    private static final int ANY = FieldMemory.ANY;
     private static final int STANDING = Ability.WALK.bit() | Ability.SIDESTEP.bit();
     private static final int NONE = -1;
 
@@ -44,7 +44,7 @@ final class CostToGo implements Expander {
         AHEAD[ANY] = 255;
     }
 
-    private final JourneyWorkspace work;
+    private final FieldMemory memory;
     private final Region region;
     private final JourneyCosts costs;
     private final BucketQueue open;
@@ -76,37 +76,54 @@ final class CostToGo implements Expander {
     private long exactKey;
 
     /**
-     * Makes a search from {@code goal} towards {@code start} that has settled nothing yet.
+     * Makes a search towards a configuration that has settled nothing yet.
      *
-     * @param relaxed whether a step on a floor may be a part of a vault over something that stands there in
-     *     some search space, and so costs no more than vaulting does
+     * @param memory the memory of the region; an earlier search that used it is void
+     * @param towards where the cost to go is asked for first
+     * @param ends where ways end, and what each end costs besides
      */
-    CostToGo(JourneyWorkspace work, int generation, JourneyCosts costs, int start, int goal, boolean relaxed) {
-        this.work = work;
-        this.region = work.widest;
+    CostToGo(FieldMemory memory, JourneyCosts costs, int towards, Ends ends) {
+        this.memory = memory;
+        this.region = memory.region;
         this.costs = costs;
-        this.open = work.backward();
-        toGo = work.toGo;
-        stamps = work.toGoStamp;
-        local = work.local;
-        offsets = work.offsets;
-        this.relaxed = relaxed;
-        standing = costs.cheapestTable(relaxed);
-        isOpen = JourneyWorkspace.STAMPS * generation;
-        isSettled = isOpen + JourneyWorkspace.SETTLED;
+        int generation = memory.begin(costs);
+        this.open = memory.open();
+        toGo = memory.toGo;
+        stamps = memory.stamps;
+        local = memory.local;
+        offsets = memory.offsets;
+        relaxed = memory.relaxed;
+        standing = costs.cheapestTable(relaxed && costs.has(Ability.VAULT));
+        isOpen = FieldMemory.STAMPS * generation;
+        isSettled = isOpen + FieldMemory.SETTLED;
         spans = region.spanCount();
         GridFrame frame = region.frame();
         cols = frame.cols();
         cells = frame.size();
-        int startCell = region.cell(start);
+        int startCell = region.cell(towards);
         startCol = frame.col(startCell);
         startRow = frame.row(startCell);
         straight = costs.cheapestStraight();
         bend = costs.cheapestDiagonal() - straight;
         search = new BestFirst(open, this, NOTHING_LEFT, Long.MAX_VALUE);
-        want(start, UNREACHABLE);
-        reach(goal, 0);
-        frontier = open.firstKey();
+        want(towards, UNREACHABLE);
+        for (int i = 0; i < ends.places().length; i++) {
+            reach(ends.places()[i], ends.costs()[i]);
+        }
+        frontier = open.isEmpty() ? UNREACHABLE : open.firstKey();
+    }
+
+    /**
+     * Says where ways end.
+     *
+     * @param places configurations
+     * @param costs what each costs in units, from 0
+     */
+    record Ends(int[] places, long[] costs) {
+        /** Returns that ways end at a goal, which costs nothing. */
+        static Ends at(int goal) {
+            return new Ends(new int[] {goal}, new long[1]);
+        }
     }
 
     /** Tells whether the cost to go from a configuration is known exactly. */
@@ -187,7 +204,7 @@ final class CostToGo implements Expander {
         }
         int arrival = stamps[item] - isOpen;
         stamps[item] = isSettled;
-        if ((local[item] & JourneyWorkspace.PLAIN) != 0) {
+        if ((local[item] & FieldMemory.PLAIN) != 0) {
             expandPlain(item, arrival);
         } else {
             expandLinked(item);
@@ -206,15 +223,15 @@ final class CostToGo implements Expander {
         int cell = to < cells ? to : to % cells;
         int row = cell / cols;
         int col = cell - row * cols;
-        int abilities = here >> JourneyWorkspace.ABILITIES & STANDING;
+        int abilities = here >> FieldMemory.ABILITIES & STANDING;
         long cost = toGo[to];
-        boolean calm = (here & JourneyWorkspace.CALM) != 0;
+        boolean calm = (here & FieldMemory.CALM) != 0;
         for (int rest = here & AHEAD[arrival]; rest != 0; rest &= rest - 1) {
             int direction = Integer.numberOfTrailingZeros(rest);
             int from = to + offsets[direction];
             int stamp = stamps[from];
             if (stamp != isSettled) {
-                int common = calm ? abilities : abilities & local[from] >> JourneyWorkspace.ABILITIES;
+                int common = calm ? abilities : abilities & local[from] >> FieldMemory.ABILITIES;
                 long next = cost + standing[common << 1 | direction >> 2];
                 if (next < JourneyCosts.BLOCKED && (stamp < isOpen || next < toGo[from])) {
                     stamps[from] = isOpen + (calm ? direction : ANY);
@@ -227,10 +244,10 @@ final class CostToGo implements Expander {
     }
 
     private void expandLinked(int to) {
-        int count = region.neighbours(to, work.targets, work.directions);
+        int count = region.neighbours(to, memory.targets, memory.directions);
         for (int i = 0; i < count; i++) {
-            int from = work.targets[i];
-            long step = step(from, to, work.directions[i]);
+            int from = memory.targets[i];
+            long step = step(from, to, memory.directions[i]);
             if (stamps[from] != isSettled && step < JourneyCosts.BLOCKED && !isIdle(from, toGo[to] + step)) {
                 reach(from, toGo[to] + step);
             }
@@ -244,7 +261,7 @@ final class CostToGo implements Expander {
         }
         int beneath = region.standing(region.cell(configuration), region.elevation(configuration));
         return beneath >= 0
-                && (local[beneath] & JourneyWorkspace.IDLE) != 0
+                && (local[beneath] & FieldMemory.IDLE) != 0
                 && stamps[beneath] >= isOpen
                 && toGo[beneath] <= cost;
     }
@@ -267,11 +284,11 @@ final class CostToGo implements Expander {
         if (stamps[from] != isSettled) {
             return NONE;
         }
-        int count = region.neighbours(from, work.targets, work.directions);
+        int count = region.neighbours(from, memory.targets, memory.directions);
         for (int i = 0; i < count; i++) {
-            int to = work.targets[i];
+            int to = memory.targets[i];
             if (stamps[to] == isSettled) {
-                long step = step(from, to, work.directions[i]);
+                long step = step(from, to, memory.directions[i]);
                 if (step < JourneyCosts.BLOCKED && step + toGo[to] == toGo[from]) {
                     return to;
                 }

@@ -17,6 +17,7 @@ final class Enclosure {
     private long least;
     private long others;
     private Optional<MoveAttempt> deciding = Optional.empty();
+    private Optional<Priority.Bound> toExit = Optional.empty();
 
     /** Makes the enclosure that {@code reach} holds; it is open if the goal is in it. */
     Enclosure(Reach reach, int goal) {
@@ -71,5 +72,20 @@ final class Enclosure {
     /** Returns the exit that decides the bound, if it is still working; empty if the bound is as high as it gets. */
     Optional<MoveAttempt> deciding() {
         return deciding;
+    }
+
+    /** Tells whether the goal is in it. */
+    boolean isOpen() {
+        return open;
+    }
+
+    /** Says what the ways to the exits cost, with what leaving by each costs at least, and the way from there. */
+    void setToExit(Priority.Bound ways) {
+        toExit = Optional.of(ways);
+    }
+
+    /** Returns what the ways to the exits cost, over configurations of the space; empty if that is not known yet. */
+    Optional<Priority.Bound> toExit() {
+        return toExit;
     }
 }

@@ -1,5 +1,6 @@
 package troupe.unified.search;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import troupe.unified.manipulation.Instance;
@@ -14,25 +15,23 @@ import troupe.unified.manipulation.Transfer;
 final class Enclosures {
     private final Manipulations manipulations;
     private final CostToGo toGo;
+    private final JourneyCosts costs;
+    private final double weight;
     private final int goal;
+    private final List<CostToGo> ways = new ArrayList<>();
 
-    Enclosures(Manipulations manipulations, CostToGo toGo, int goal) {
+    /** Makes what knows of no enclosure yet; {@code weight} is that of the keys. */
+    Enclosures(Manipulations manipulations, CostToGo toGo, JourneyCosts costs, double weight, int goal) {
         this.manipulations = manipulations;
         this.toGo = toGo;
+        this.costs = costs;
+        this.weight = weight;
         this.goal = goal;
     }
 
     /** Returns the enclosure of a configuration. */
     Enclosure of(SearchSpace space, int configuration) {
         return space.enclosure(configuration, goal);
-    }
-
-    /**
-     * Returns what has to be paid at least besides the bound on the cost to go from a configuration: 0 where that
-     * is not known yet, {@link Long#MAX_VALUE} if nothing leads out.
-     */
-    long least(SearchSpace space, int configuration) {
-        return space.enclosure(configuration).map(Enclosure::least).orElse(0L);
     }
 
     /**
@@ -57,6 +56,36 @@ final class Enclosures {
             update(enclosure);
         }
         return enclosure.deciding();
+    }
+
+    /**
+     * Begins to look for the ways to the exits, if there are any: a backward search over the space from all trigger
+     * points, each at what going on from it costs at least as is known now. What the exits cost may turn out to be more
+     * later; so it stays a lower bound.
+     *
+     * @param towards where the ways are asked for first
+     */
+    void lead(SearchSpace space, Enclosure enclosure, int towards) {
+        List<Long> places = new ArrayList<>();
+        List<Long> least = new ArrayList<>();
+        manipulations.eachExit(space, enclosure, (point, attempt) -> {
+            long gap = gap(attempt);
+            if (gap < Long.MAX_VALUE) {
+                places.add((long) point);
+                least.add(gap + toGo.bound(point));
+            }
+        });
+        CostToGo.Ends ends = new CostToGo.Ends(
+                places.stream().mapToInt(Long::intValue).toArray(),
+                least.stream().mapToLong(Long::longValue).toArray());
+        CostToGo toExit = new CostToGo(new FieldMemory(space.region(), false), costs, towards, ends);
+        ways.add(toExit);
+        enclosure.setToExit(new Priority.Bound(toExit, weight));
+    }
+
+    /** Returns the expansions made so far to find the ways to exits. */
+    long expanded() {
+        return ways.stream().mapToLong(CostToGo::expanded).sum();
     }
 
     /** Takes notice of what the instances of an enclosure have found out since. */

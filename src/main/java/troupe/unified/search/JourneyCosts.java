@@ -231,6 +231,11 @@ public final class JourneyCosts {
         return unitBits;
     }
 
+    /** Returns the bits of the width of a bucket of a queue of costs: a 64th of the cheapest straight step. */
+    int bucketBits() {
+        return Math.max(0, unitBits - 6);
+    }
+
     /** Returns the cost in units of a step between standing configurations, {@link #BLOCKED} if none can. */
     long standing(int common, int direction) {
         return standing[(common & STANDING) << 1 | direction >> 2];

@@ -4,7 +4,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.IntConsumer;
 import troupe.grid.region.Region;
-import troupe.scene.Ability;
 import troupe.scene.Ordering;
 import troupe.search.BestFirst;
 import troupe.search.Expander;
@@ -40,12 +39,12 @@ public final class JourneySearch implements Expander {
     private final LabelPool labels;
     private final OpenList open;
     private final CostToGo toGo;
-    private final Priority priority;
+    private final LabelKeys keys;
     private final LabelChains chains;
     private final BestFirst search;
     private final SearchSpace base;
     private final Manipulations manipulations;
-    private final Enclosures enclosures;
+    private final Optional<Enclosures> enclosures;
     private final int slice;
     private final int[] found;
     private final boolean monotone;
@@ -60,6 +59,7 @@ public final class JourneySearch implements Expander {
     private Need need = Need.NOTHING;
     private int waiting = LabelPool.NONE;
     private long waitingKey;
+    private CostToGo asked;
     private Turn turn;
     private Enclosure enclosing;
     private int reached = LabelPool.NONE;
@@ -95,16 +95,16 @@ public final class JourneySearch implements Expander {
         checkPlace("goal", work.widest, query.goal());
         generation = work.begin(costs);
         labels = work.labels;
+        double weight = query.ordering() instanceof Ordering.Bounded bounded ? bounded.weight() : 1;
         boolean published = query.ordering() instanceof Ordering.Paper;
+        Priority priority;
         Region guide = published ? moving.guide().orElse(work.region) : work.widest;
         if (query.ordering() instanceof Ordering.Paper paper) {
             toGo = null;
             priority = new Priority.Published(query.potential(), costs, paper);
             open = work.heap;
         } else {
-            boolean relaxed = work.widest != work.region && costs.has(Ability.VAULT);
-            toGo = new CostToGo(work, generation, costs, query.start(), query.goal(), relaxed);
-            double weight = query.ordering() instanceof Ordering.Bounded bounded ? bounded.weight() : 1;
+            toGo = new CostToGo(work.field, costs, query.start(), CostToGo.Ends.at(query.goal()));
             priority = new Priority.Bound(toGo, weight);
             open = weight == 1 ? work.forward() : work.heap;
         }
@@ -117,7 +117,10 @@ public final class JourneySearch implements Expander {
                 ? new Manipulations(
                         moving, costs, new ExpectedPaths(guide, descent, costs, published, found.length), base)
                 : null;
-        enclosures = moving.isPossible() && toGo != null ? new Enclosures(manipulations, toGo, query.goal()) : null;
+        enclosures = moving.isPossible() && toGo != null
+                ? Optional.of(new Enclosures(manipulations, toGo, costs, weight, query.goal()))
+                : Optional.empty();
+        keys = new LabelKeys(labels, spaces(), attempts(), priority, enclosures);
         slice = moving.slice();
         search = new BestFirst(open, this, NO_WAY, query.expansions());
         install(base, query.start(), LabelPool.NONE, 0, 0, LabelPool.NONE, 0);
@@ -146,8 +149,8 @@ public final class JourneySearch implements Expander {
         long left = budget;
         while (left > 0 && search.outcome().isRunning()) {
             if (need == Need.COST_TO_GO) {
-                left -= toGo.advance(left);
-                if (toGo.hasAnswered()) {
+                left -= asked.advance(left);
+                if (asked.hasAnswered()) {
                     need = Need.NOTHING;
                     put(waiting, waitingKey);
                 }
@@ -190,12 +193,16 @@ public final class JourneySearch implements Expander {
 
     /** Returns the configurations that the search for the cost to go has expanded, 0 for {@code paper}. */
     public long estimated() {
-        return toGo == null ? 0 : toGo.expanded();
+        return toGo == null ? 0 : toGo.expanded() + enclosures.map(Enclosures::expanded).orElse(0L);
     }
 
     /** Returns the search spaces in the order in which they arose; the first is the scene as it stands. */
     public List<SearchSpace> spaces() {
         return manipulations == null ? List.of(base) : manipulations.spaces();
+    }
+
+    private List<MoveAttempt> attempts() {
+        return manipulations == null ? List.of() : manipulations.attempts();
     }
 
     /** Visits the configuration of every label of a space in the order of making; one may come again. */
@@ -211,7 +218,7 @@ public final class JourneySearch implements Expander {
     /** Returns a lower bound in J on the cost from a configuration of a space to the goal, 0 for {@code paper}. */
     public double bound(SearchSpace space, int configuration) {
         work.check(generation);
-        long bound = toGo == null ? 0 : toGo.bound(place(space, configuration));
+        long bound = toGo == null ? 0 : toGo.bound(keys.place(space, configuration));
         return bound >= CostToGo.UNREACHABLE ? Double.POSITIVE_INFINITY : costs.joules(bound);
     }
 
@@ -221,12 +228,7 @@ public final class JourneySearch implements Expander {
             return Optional.empty();
         }
         work.check(generation);
-        List<MoveAttempt> attempts = manipulations == null ? List.of() : manipulations.attempts();
-        return Optional.of(new PathTrace(labels, spaces(), attempts).path(reached, costs));
-    }
-
-    private SearchSpace space(int label) {
-        return manipulations == null ? base : manipulations.spaces().get(labels.space(label));
+        return Optional.of(new PathTrace(labels, spaces(), attempts()).path(reached, costs));
     }
 
     @Override
@@ -234,27 +236,23 @@ public final class JourneySearch implements Expander {
         if (chains.isDominated(label)) {
             return Verdict.SKIPPED;
         }
-        SearchSpace space = space(label);
-        int from = labels.state(label);
-        int place = place(space, from);
-        if (key(label, place) > key) {
+        if (keys.key(label) > key) {
             put(label, key);
             return Verdict.SKIPPED;
         }
-        if (!priority.isFinal(place)) {
-            long next = toGo.bound(place) + 1 + costs.cheapestStraight();
-            toGo.want(place, open.isEmpty() ? CostToGo.UNREACHABLE : next);
-            return await(Need.COST_TO_GO, label, key);
+        if (!keys.isFinal(label)) {
+            return await(keys.ask(label, open.isEmpty() ? CostToGo.UNREACHABLE : 1 + costs.cheapestStraight()), label, key);
         }
-        if (labels.task(label) != LabelPool.NONE) {
+        if (keys.isManipulation(label)) {
             return expandManipulation(label, key);
         }
-        if (isEnclosed(label, space, from, key)) {
-            return Verdict.WAITING;
-        }
-        if (key(label, place) > key) {
-            put(label, key);
-            return Verdict.SKIPPED;
+        SearchSpace space = keys.space(label);
+        int from = labels.state(label);
+        if (enclosures.isPresent()) {
+            Enclosure enclosure = enclosures.get().of(space, from);
+            if (!enclosure.isOpen() && enclosure.toExit().isEmpty()) {
+                return leadOut(enclosures.get(), enclosure, label, key);
+            }
         }
         if (from == query.goal()) {
             reached = label;
@@ -262,7 +260,7 @@ public final class JourneySearch implements Expander {
         }
         if (manipulations != null && space.region().takesOff(from) && manipulations.isNear(space, from)) {
             if (!isExact(new int[] {from}) || !isExact(manipulations.wanted(space, from))) {
-                return await(Need.COST_TO_GO, label, key);
+                return await(toGo, label, key);
             }
             begin(label, space, from, key);
         }
@@ -277,25 +275,24 @@ public final class JourneySearch implements Expander {
 
     /**
      * Waits, where the goal is out of reach in this space, until it is known what it costs at least to move
-     * something; tells whether it has to.
+     * something, and then looks for the ways there.
      */
-    private boolean isEnclosed(int label, SearchSpace space, int from, long key) {
-        if (enclosures == null) {
-            return false;
+    private Verdict leadOut(Enclosures all, Enclosure enclosure, int label, long key) {
+        SearchSpace space = keys.space(label);
+        if (!all.isKnown(space, enclosure)) {
+            return await(toGo, label, key);
         }
-        Enclosure enclosure = enclosures.of(space, from);
-        if (!enclosures.isKnown(space, enclosure)) {
-            await(Need.COST_TO_GO, label, key);
-            return true;
-        }
-        Optional<MoveAttempt> deciding = enclosures.deciding(enclosure);
+        Optional<MoveAttempt> deciding = all.deciding(enclosure);
         if (deciding.isPresent()) {
             enclosing = enclosure;
             MoveAttempt attempt = deciding.get();
-            turn = new Turn(attempt, slice, attempt.leastOf(enclosure.others()));
-            await(Need.TURN, label, key);
+            long most = Math.min(attempt.leastOf(enclosure.others()), mostWorth(label, attempt));
+            turn = new Turn(attempt, slice, most);
+            return await(label, key);
         }
-        return deciding.isPresent();
+        all.lead(space, enclosure, labels.state(label));
+        put(label, key);
+        return Verdict.SKIPPED;
     }
 
     /** Tells whether the field is exact at some places; else the cost to go has been asked for them. */
@@ -305,6 +302,15 @@ public final class JourneySearch implements Expander {
         }
         toGo.wantExact(places);
         return toGo.isExact();
+    }
+
+    private Verdict await(CostToGo what, int label, long key) {
+        asked = what;
+        return await(Need.COST_TO_GO, label, key);
+    }
+
+    private Verdict await(int label, long key) {
+        return await(Need.TURN, label, key);
     }
 
     private Verdict await(Need what, int label, long key) {
@@ -328,20 +334,16 @@ public final class JourneySearch implements Expander {
     }
 
     private Verdict expandManipulation(int label, long key) {
-        MoveAttempt attempt = attempt(label);
+        MoveAttempt attempt = keys.attempt(label);
         if (attempt.outcome().isRunning()) {
             enclosing = null;
             turn = new Turn(attempt, slice, mostWorth(label, attempt));
-            return await(Need.TURN, label, key);
+            return await(label, key);
         }
         if (attempt.outcome().isFound()) {
             goOn(label, attempt, key);
         }
         return Verdict.EXPANDED;
-    }
-
-    private MoveAttempt attempt(int label) {
-        return manipulations.attempts().get(labels.task(label));
     }
 
     /** Works on the instance that has its turn with at most {@code budget} expansions; returns those made. */
@@ -352,7 +354,7 @@ public final class JourneySearch implements Expander {
         if (turn.isOver()) {
             need = Need.NOTHING;
             if (enclosing != null) {
-                enclosures.update(enclosing);
+                enclosures.get().update(enclosing);
             }
             put(waiting, waitingKey);
         }
@@ -364,12 +366,8 @@ public final class JourneySearch implements Expander {
         if (open.isEmpty()) {
             return Long.MAX_VALUE;
         }
-        long within = priority.costWithin(labels.state(label), open.firstKey());
-        if (within == Long.MAX_VALUE) {
-            return within;
-        }
-        long left = within - labels.cost(label);
-        return toGo == null ? left : attempt.leastOf(left);
+        long within = keys.within(label, open.firstKey());
+        return within == Long.MAX_VALUE || toGo == null ? within : attempt.leastOf(within);
     }
 
     /** Goes on, with an obstacle moved, in the space where it is. */
@@ -413,34 +411,9 @@ public final class JourneySearch implements Expander {
         }
     }
 
-    /**
-     * Returns the place of the guiding region by which a configuration is judged: where a crossing can be walked
-     * there, too, the one that promises less; -1 if there is none.
-     */
-    private int place(SearchSpace space, int configuration) {
-        int place = space.guided(configuration);
-        int beneath = space.beneath(configuration);
-        if (beneath < 0) {
-            return place;
-        }
-        return place < 0 || priority.key(beneath, 0, 0) < priority.key(place, 0, 0) ? beneath : place;
-    }
-
-    /** Returns the key of a label; in manipulation the least that it will cost counts as paid. */
-    private long key(int label, int place) {
-        long cost = labels.cost(label);
-        if (labels.task(label) == LabelPool.NONE) {
-            long extra = enclosures == null ? 0 : enclosures.least(space(label), labels.state(label));
-            return priority.key(place, cost, extra);
-        }
-        MoveAttempt attempt = attempt(label);
-        long gap = enclosures == null ? attempt.instance().least() : enclosures.gap(attempt);
-        return gap == Long.MAX_VALUE ? Priority.NEVER : priority.key(place, cost + gap, 0);
-    }
-
     /** Opens a label; in a monotone list, where rounding must not take a key back, not before {@code least}. */
     private void put(int label, long least) {
-        long key = key(label, place(space(label), labels.state(label)));
+        long key = keys.key(label);
         if (key < Priority.NEVER) {
             open.add(label, monotone ? Math.max(key, least) : key, labels.cost(label));
         }

@@ -5,11 +5,11 @@ import java.util.Arrays;
 import java.util.BitSet;
 import java.util.Collections;
 import java.util.HashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.TreeSet;
 import java.util.stream.IntStream;
 import troupe.geometry.Box;
 import troupe.grid.GridFrame;
@@ -186,17 +186,28 @@ final class Manipulations {
 
     /** Returns the attempts that begin in an enclosure. */
     List<MoveAttempt> exits(SearchSpace space, Enclosure enclosure) {
-        Set<Integer> exits = new TreeSet<>();
+        Set<MoveAttempt> exits = new LinkedHashSet<>();
+        eachExit(space, enclosure, (point, attempt) -> exits.add(attempt));
+        return List.copyOf(exits);
+    }
+
+    /** Says how each trigger point of an enclosure leads out: a place of the space, and the attempt that begins there. */
+    interface Exit {
+        /** Takes one of them. */
+        void at(int point, MoveAttempt attempt);
+    }
+
+    /** Hands on the trigger points from which an enclosure can be left, once its exits are known. */
+    void eachExit(SearchSpace space, Enclosure enclosure, Exit exit) {
         for (int m = 0; m < near.length; m++) {
             TriggerTable table = inside(space, m, enclosure);
             for (int point = 0; table != null && point < table.points().length; point++) {
-                if (enclosure.holds(table.points()[point])) {
-                    exits.add(attempt(space, m, point));
+                int attempt = enclosure.holds(table.points()[point]) ? attempt(space, m, point) : TriggerTable.NONE;
+                if (attempt >= 0) {
+                    exit.at(table.points()[point], attempts.get(attempt));
                 }
             }
         }
-        exits.remove(TriggerTable.NONE);
-        return exits.stream().map(attempts::get).toList();
     }
 
     /** Returns the trigger points of a movable if it has not been moved and an enclosure comes near it, else null. */

@@ -22,6 +22,14 @@ interface Priority {
     /** Tells whether the key of a place is final; else it is a lower bound that can still rise. */
     boolean isFinal(int place);
 
+    /**
+     * Asks that the bound of a place rise, until it is exact or has risen by {@code rise}; returns what is to be gone
+     * on with.
+     *
+     * @throws IllegalStateException if every key is final
+     */
+    CostToGo ask(int place, long rise);
+
     /** Returns the greatest cost so far in units with which the key of a place does not exceed {@code key}. */
     long costWithin(int place, long key);
 
@@ -51,6 +59,12 @@ interface Priority {
         }
 
         @Override
+        public CostToGo ask(int place, long rise) {
+            toGo.want(place, Math.min(CostToGo.UNREACHABLE, toGo.bound(place) + rise));
+            return toGo;
+        }
+
+        @Override
         public long costWithin(int place, long key) {
             long paid = key - toGo.bound(place);
             return weight == 1 ? paid : (long) (paid * weight);
@@ -76,6 +90,11 @@ interface Priority {
         @Override
         public boolean isFinal(int place) {
             return true;
+        }
+
+        @Override
+        public CostToGo ask(int place, long rise) {
+            throw new IllegalStateException("the published key of place " + place + " is final");
         }
 
         @Override

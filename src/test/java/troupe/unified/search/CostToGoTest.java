@@ -34,7 +34,7 @@ class CostToGoTest {
             }
             JourneyCosts costs = new JourneyCosts(actor, preferences, 0.25);
             JourneyWorkspace work = new JourneyWorkspace(region);
-            CostToGo toGo = new CostToGo(work, work.begin(costs), costs, start, goal, false);
+            CostToGo toGo = new CostToGo(new FieldMemory(region, false), costs, start, CostToGo.Ends.at(goal));
             SlowJourney reference = new SlowJourney(region, preferences, true);
             while (!toGo.hasAnswered()) {
                 toGo.advance(25);
@@ -78,7 +78,7 @@ class CostToGoTest {
         int goal = region.locate(Place.of(2.6, 1));
         JourneyCosts costs = new JourneyCosts(actor, Preferences.NEUTRAL, 0.25);
         JourneyWorkspace work = new JourneyWorkspace(region);
-        CostToGo toGo = new CostToGo(work, work.begin(costs), costs, start, goal, false);
+        CostToGo toGo = new CostToGo(new FieldMemory(region, false), costs, start, CostToGo.Ends.at(goal));
         assertFalse(toGo.hasAnswered());
         toGo.advance(Long.MAX_VALUE);
         assertTrue(toGo.hasAnswered());

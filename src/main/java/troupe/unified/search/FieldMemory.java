@@ -1,0 +1,171 @@
+package troupe.unified.search;
+
+import java.util.Arrays;
+import java.util.BitSet;
+import troupe.grid.GridFrame;
+import troupe.grid.region.Kind;
+import troupe.grid.region.Region;
+import troupe.scene.Ability;
+import troupe.search.BucketQueue;
+
+/**
+ * Holds the memory of searches for the cost to go over one region, about 14 bytes per configuration; a generation
+ * stamp takes the place of clearing. One search at a time owns it. Used by one thread at a time.
+ */
+final class FieldMemory {
+    /** How many stamps a generation has. */
+    static final int STAMPS = 16;
+
+    /** The stamp within a generation of a place that may be left in any direction. */
+    static final int ANY = GridFrame.DIRECTIONS;
+
+    /** The stamp within a generation of a place whose cost to go is known exactly; those below are open. */
+    static final int SETTLED = ANY + 1;
+
+    /** The greatest generation. */
+    static final int LAST_GENERATION = (Integer.MAX_VALUE >> 4) - 1;
+
+    /** Bits of {@link #local} above the eight of the legal steps: no other steps need to be looked at. */
+    static final int PLAIN = 1 << 8;
+
+    /** All eight steps are legal, and the place and its neighbours allow the same abilities. */
+    static final int CALM = 1 << 9;
+
+    /** The first of the bits that tell the standing abilities. */
+    static final int ABILITIES = 10;
+
+    /** A vault over the place promises no more than walking there, see {@link #findIdle}. */
+    static final int IDLE = 1 << 12;
+
+    private static final int STANDING = Ability.WALK.bit() | Ability.SIDESTEP.bit();
+
+    final Region region;
+    final int[] offsets;
+
+    /** The cost to go in units, valid where {@link #stamps} is of this generation. */
+    final long[] toGo;
+
+    /** The generation times {@link #STAMPS}, plus {@link #SETTLED}, the direction it was reached in, or {@link #ANY}. */
+    final int[] stamps;
+
+    /** What a step from each configuration needs to know: the legal steps, {@link #PLAIN}, {@link #CALM}, abilities. */
+    final short[] local;
+
+    final int[] targets = new int[Region.MAX_NEIGHBOURS];
+    final int[] directions = new int[Region.MAX_NEIGHBOURS];
+    final boolean relaxed;
+    private BucketQueue open;
+    private int queueBits = -1;
+    private int generation;
+
+    /**
+     * Takes the memory. Cost O(size of the region).
+     *
+     * @param relaxed whether it is a widest region, where a step on a floor costs no more than one of a vault
+     */
+    FieldMemory(Region region, boolean relaxed) {
+        this.region = region;
+        this.relaxed = relaxed;
+        offsets = region.frame().offsets();
+        toGo = new long[region.size()];
+        stamps = new int[region.size()];
+        local = new short[region.size()];
+        for (int q = 0; q < region.spanCount(); q++) {
+            int abilities = region.abilities(q);
+            if (abilities != 0) {
+                local[q] = (short) (region.moves(q) | abilities << ABILITIES | (region.plain(q) ? PLAIN : 0));
+            }
+        }
+        for (int q = 0; q < region.spanCount(); q++) {
+            if ((local[q] & (255 | PLAIN)) == (255 | PLAIN) && isAlike(q)) {
+                local[q] |= CALM;
+            }
+        }
+        if (relaxed && region.size() > region.spanCount()) {
+            findIdle();
+        }
+    }
+
+    /**
+     * Finds where no vault of the widest region needs to be looked at. Over a place that is calm, stable, open to
+     * walking and among nine equal columns, a vault that promises no less than walking there is idle: all that it
+     * is joined to can walk there as well, at no more cost. So a place that has only such ones around goes on as if
+     * there were no vaults: each of them would be reached from it at no less than the place beneath is.
+     */
+    private void findIdle() {
+        int spans = region.spanCount();
+        int[] columns = region.spans().columnAt();
+        for (int q = 0; q < spans; q++) {
+            if ((local[q] & 255) == 255 && region.takesOff(q) && isEven(q, columns) && isAlike(q)) {
+                local[q] |= IDLE;
+            }
+        }
+        BitSet gaps = new BitSet(spans);
+        for (int q = spans; q < region.size(); q++) {
+            if (region.kind(q) == Kind.GAP) {
+                int cell = region.cell(q);
+                for (int d = 0; d < GridFrame.DIRECTIONS; d++) {
+                    gaps.set(cell + offsets[d]);
+                }
+            }
+        }
+        for (int q = 0; q < spans; q++) {
+            if ((local[q] & (IDLE | PLAIN)) == IDLE && !gaps.get(region.cell(q)) && hasAround(q, IDLE)) {
+                local[q] |= PLAIN | CALM;
+            }
+        }
+    }
+
+    /** Tells whether the neighbours of a place that has all eight on its sheet allow the same abilities. */
+    private boolean isAlike(int q) {
+        boolean alike = true;
+        for (int d = 0; alike && d < GridFrame.DIRECTIONS; d++) {
+            alike = (local[q + offsets[d]] >> ABILITIES & STANDING) == (local[q] >> ABILITIES & STANDING);
+        }
+        return alike;
+    }
+
+    /** Tells whether the nine columns around a place are the same. */
+    private boolean isEven(int q, int[] columns) {
+        int cell = region.cell(q);
+        boolean even = true;
+        for (int d = 0; even && d < GridFrame.DIRECTIONS; d++) {
+            even = columns[cell + offsets[d]] == columns[cell];
+        }
+        return even;
+    }
+
+    private boolean hasAround(int q, int bit) {
+        boolean all = true;
+        for (int d = 0; all && d < GridFrame.DIRECTIONS; d++) {
+            all = (local[q + offsets[d]] & bit) != 0;
+        }
+        return all;
+    }
+
+    /** Hands the memory to a new search, empty, and returns the search's generation. */
+    int begin(JourneyCosts costs) {
+        if (generation == LAST_GENERATION) {
+            Arrays.fill(stamps, 0);
+            generation = 0;
+        }
+        generation++;
+        int shift = costs.bucketBits();
+        if (queueBits != shift) {
+            queueBits = shift;
+            open = new BucketQueue(shift, this::isSettled);
+        }
+        open.clear();
+        return generation;
+    }
+
+    /** Returns the open places of the search that owns the memory. */
+    BucketQueue open() {
+        return open;
+    }
+
+    /** Tells whether the cost to go from a configuration is known exactly. */
+    boolean isSettled(int configuration) {
+        return stamps[configuration] == STAMPS * generation + SETTLED;
+    }
+}
