@@ -193,7 +193,9 @@ public final class JourneySearch implements Expander {
 
     /** Returns the configurations that the search for the cost to go has expanded, 0 for {@code paper}. */
     public long estimated() {
-        return toGo == null ? 0 : toGo.expanded() + enclosures.map(Enclosures::expanded).orElse(0L);
+        return toGo == null
+                ? 0
+                : toGo.expanded() + enclosures.map(Enclosures::expanded).orElse(0L);
     }
 
     /** Returns the search spaces in the order in which they arose; the first is the scene as it stands. */
@@ -241,7 +243,8 @@ public final class JourneySearch implements Expander {
             return Verdict.SKIPPED;
         }
         if (!keys.isFinal(label)) {
-            return await(keys.ask(label, open.isEmpty() ? CostToGo.UNREACHABLE : 1 + costs.cheapestStraight()), label, key);
+            return await(
+                    keys.ask(label, open.isEmpty() ? CostToGo.UNREACHABLE : 1 + costs.cheapestStraight()), label, key);
         }
         if (keys.isManipulation(label)) {
             return expandManipulation(label, key);
