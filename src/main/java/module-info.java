@@ -23,6 +23,7 @@ module troupe {
     exports troupe.crowd.flock;
     exports troupe.crowd.ground;
     exports troupe.paint;
+    exports troupe.paint.solid;
     exports troupe.exchange;
     exports troupe.work;
 

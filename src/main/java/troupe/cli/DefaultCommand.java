@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
 import troupe.exchange.ExchangeException;
+import troupe.exchange.ExportSettings;
 import troupe.run.Run;
 import troupe.run.RunFile;
 import troupe.scene.Scene;
@@ -61,7 +62,7 @@ final class DefaultCommand implements Command {
         Path file = folder.resolve("courtyard.run");
         Path picture = folder.resolve("courtyard.png");
         RunFile.write(run, file);
-        Pictures.write(run, run.frames().duration(), picture.toString(), terminal);
+        Pictures.write(run, run.frames().duration(), ExportSettings.DEFAULT, picture.toString(), terminal);
         terminal.out().println(Planning.summary(run));
         terminal.out().println("picture: " + picture.toAbsolutePath());
         terminal.out().println("run:     " + file.toAbsolutePath());

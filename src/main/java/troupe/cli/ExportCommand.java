@@ -26,7 +26,7 @@ final class ExportCommand implements Command {
 
     @Override
     public String usage() {
-        return "FILE.run --format F -o FILE [--at T] [--width N] [--rate N] [--show A,B] [--dark]";
+        return "FILE.run --format F -o FILE [--at T] [--width N] [--rate N] [--show A,B] [--view solid] [--dark]";
     }
 
     @Override
@@ -43,6 +43,8 @@ final class ExportCommand implements Command {
                 Option.of("--width", "N", "width of a picture in pixels"),
                 Option.of("--rate", "N", "pictures for each second of an animation"),
                 Option.of("--show", "A,B,C", "views to lay over the scene in pictures, as in troupe fields"),
+                Pictures.VIEW,
+                Pictures.TURN,
                 Option.flag("--dark", "pictures in the dark theme"));
     }
 
@@ -112,6 +114,7 @@ final class ExportCommand implements Command {
         } catch (IllegalArgumentException e) {
             throw new UsageException(e.getMessage(), e);
         }
+        settings = Pictures.seen(settings, arguments);
         return arguments.has("--dark") ? settings.in(Theme.DARK) : settings;
     }
 }

@@ -4,23 +4,61 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
 import troupe.exchange.ExchangeException;
 import troupe.exchange.ExportSettings;
 import troupe.exchange.Exporter;
 import troupe.exchange.Formats;
+import troupe.paint.solid.Camera;
 import troupe.run.Run;
 
 /** Sends what an exporter writes to a file or to standard output. */
 final class Pictures {
+    /** Chooses between the plan and the view in three dimensions. */
+    static final Option VIEW = Option.of("--view", "V", "plan or solid: from above, or in three dimensions");
+
+    /** Says from where the view in three dimensions is seen. */
+    static final Option TURN =
+            Option.of("--turn", "A,E", "azimuth and elevation of the eye in degrees; without it 32,38");
+
     private Pictures() {}
 
+    /** Returns settings for the view that the arguments choose. */
+    static ExportSettings seen(ExportSettings settings, Arguments arguments) throws UsageException {
+        String view = arguments.value("--view").orElse("plan");
+        Optional<String> turn = arguments.value("--turn");
+        if (view.equals("plan") && turn.isEmpty()) {
+            return settings;
+        }
+        if (!view.equals("solid")) {
+            throw new UsageException(
+                    turn.isPresent() && view.equals("plan")
+                            ? "--turn needs --view solid"
+                            : "--view " + view + "; needs plan or solid");
+        }
+        return settings.from(turn.isPresent() ? angle(turn.get()) : Camera.Angle.DEFAULT);
+    }
+
+    private static Camera.Angle angle(String turn) throws UsageException {
+        String[] parts = turn.split(",", -1);
+        try {
+            if (parts.length == 2) {
+                return new Camera.Angle(
+                        Math.toRadians(Double.parseDouble(parts[0])), Math.toRadians(Double.parseDouble(parts[1])));
+            }
+        } catch (IllegalArgumentException e) {
+            throw new UsageException("--turn " + turn + "; needs azimuth,elevation in degrees, elevation 10 to 85", e);
+        }
+        throw new UsageException("--turn " + turn + "; needs azimuth,elevation in degrees, elevation 10 to 85");
+    }
+
     /** Draws a run at a time in seconds. */
-    static void write(Run run, double time, String target, Terminal terminal)
+    static void write(Run run, double time, ExportSettings view, String target, Terminal terminal)
             throws UsageException, ExchangeException, IOException {
         ExportSettings settings;
         try {
-            settings = ExportSettings.DEFAULT.at(time);
+            settings = view.at(time);
         } catch (IllegalArgumentException e) {
             throw new UsageException(e.getMessage(), e);
         }

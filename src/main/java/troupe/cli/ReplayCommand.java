@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
 import troupe.exchange.ExchangeException;
+import troupe.exchange.ExportSettings;
 import troupe.run.Run;
 import troupe.run.RunException;
 import troupe.run.RunFile;
@@ -20,7 +21,7 @@ final class ReplayCommand implements Command {
 
     @Override
     public String usage() {
-        return "FILE.run [--verify] [--at T --png FILE] [--json]";
+        return "FILE.run [--verify] [--at T --png FILE [--view solid]] [--json]";
     }
 
     @Override
@@ -34,6 +35,8 @@ final class ReplayCommand implements Command {
                 Option.flag("--verify", "runs the task again and compares every bit; exit code 1 at a difference"),
                 Option.of("--at", "T", "the time in seconds that --png shows; without it the end"),
                 Option.of("--png", "FILE", "draws a picture, - for standard output"),
+                Pictures.VIEW,
+                Pictures.TURN,
                 Option.flag("--json", "prints the report as one JSON object"));
     }
 
@@ -44,6 +47,9 @@ final class ReplayCommand implements Command {
         if (at.isPresent() && !arguments.has("--png")) {
             throw new UsageException("--at says what --png shows, and --png is missing");
         }
+        if (arguments.has("--view") && !arguments.has("--png")) {
+            throw new UsageException("--view says how --png looks, and --png is missing");
+        }
         try (InputFile file = InputFile.of(arguments.only("FILE.run"), terminal)) {
             return show(RunFile.read(file.path()), at, arguments, terminal);
         }
@@ -51,9 +57,10 @@ final class ReplayCommand implements Command {
 
     private static int show(Run run, Optional<Double> at, Arguments arguments, Terminal terminal)
             throws UsageException, RunException, ExchangeException, IOException {
+        ExportSettings settings = Pictures.seen(ExportSettings.DEFAULT, arguments);
         if (arguments.has("--png")) {
             double time = at.orElse(run.frames().duration());
-            Pictures.write(run, time, arguments.needed("--png", "FILE"), terminal);
+            Pictures.write(run, time, settings, arguments.needed("--png", "FILE"), terminal);
         }
         if (arguments.has("--verify")) {
             return verify(run, terminal);

@@ -3,9 +3,11 @@ package troupe.exchange;
 import java.awt.Dimension;
 import java.io.InterruptedIOException;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import troupe.paint.Picture;
 import troupe.paint.Theme;
+import troupe.paint.solid.Camera;
 import troupe.run.Overlay;
 import troupe.run.Run;
 
@@ -17,6 +19,7 @@ import troupe.run.Run;
  * @param density pixels of the image for each pixel of the layout, from 1 to 4
  * @param rate pictures for each second of an animation, above 0 and at most 50
  * @param overlays views to lay over the scene
+ * @param angle from where pictures show the scene in three dimensions, without overlays; empty for the plan view
  * @param stopped tells whether the export is to end early and leave nothing
  */
 public record ExportSettings(
@@ -26,10 +29,12 @@ public record ExportSettings(
         double rate,
         Theme theme,
         List<Overlay> overlays,
+        Optional<Camera.Angle> angle,
         BooleanSupplier stopped) {
 
     /** The start of the run, 900 pixels wide, light, 10 pictures a second. */
-    public static final ExportSettings DEFAULT = new ExportSettings(0, 900, 1, 10, Theme.LIGHT, List.of(), () -> false);
+    public static final ExportSettings DEFAULT =
+            new ExportSettings(0, 900, 1, 10, Theme.LIGHT, List.of(), Optional.empty(), () -> false);
 
     /**
      * Checks the numbers and copies the overlays.
@@ -54,32 +59,37 @@ public record ExportSettings(
 
     /** Returns these settings for another instant. */
     public ExportSettings at(double seconds) {
-        return new ExportSettings(seconds, width, density, rate, theme, overlays, stopped);
+        return new ExportSettings(seconds, width, density, rate, theme, overlays, angle, stopped);
     }
 
     /** Returns these settings for another width in pixels. */
     public ExportSettings wide(int pixels) {
-        return new ExportSettings(time, pixels, density, rate, theme, overlays, stopped);
+        return new ExportSettings(time, pixels, density, rate, theme, overlays, angle, stopped);
     }
 
     /** Returns these settings for another theme. */
     public ExportSettings in(Theme other) {
-        return new ExportSettings(time, width, density, rate, other, overlays, stopped);
+        return new ExportSettings(time, width, density, rate, other, overlays, angle, stopped);
     }
 
     /** Returns these settings for another number of pictures a second. */
     public ExportSettings every(double perSecond) {
-        return new ExportSettings(time, width, density, perSecond, theme, overlays, stopped);
+        return new ExportSettings(time, width, density, perSecond, theme, overlays, angle, stopped);
     }
 
     /** Returns these settings with other overlays. */
     public ExportSettings with(List<Overlay> others) {
-        return new ExportSettings(time, width, density, rate, theme, others, stopped);
+        return new ExportSettings(time, width, density, rate, theme, others, angle, stopped);
+    }
+
+    /** Returns these settings for pictures in three dimensions, seen from an angle. */
+    public ExportSettings from(Camera.Angle seen) {
+        return new ExportSettings(time, width, density, rate, theme, overlays, Optional.of(seen), stopped);
     }
 
     /** Returns these settings for an export that ends as soon as {@code ended} tells so; any thread may set it. */
     public ExportSettings until(BooleanSupplier ended) {
-        return new ExportSettings(time, width, density, rate, theme, overlays, ended);
+        return new ExportSettings(time, width, density, rate, theme, overlays, angle, ended);
     }
 
     /**
@@ -105,6 +115,7 @@ public record ExportSettings(
         // a field fills the scene only where it is the one thing to look at
         boolean several = overlays.stream().map(Overlay::key).distinct().count() > 1;
         picture = several ? picture.outlined() : picture;
+        picture = angle.isPresent() ? picture.solid(angle.get()) : picture;
         Dimension size = picture.size(width);
         if (size.width * density * size.height * density > Picture.MAX_PIXELS) {
             throw new ExchangeException(

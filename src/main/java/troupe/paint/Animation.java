@@ -15,6 +15,7 @@ public final class Animation {
     private final int width;
     private final double density;
     private final Optional<RunPainter> painter;
+    private final Optional<SolidPainter> solid;
     private final BufferedImage base;
 
     /** Where the moved obstacles stand in {@link #base}; null before it is painted. */
@@ -26,6 +27,7 @@ public final class Animation {
         this.width = width;
         this.density = density;
         this.painter = picture.runPainter();
+        this.solid = picture.angle().map(angle -> picture.solidPainter());
         this.base = picture.blank(width, density);
     }
 
@@ -42,12 +44,24 @@ public final class Animation {
 
     /** Returns a new image of the run at {@code time} seconds. */
     public BufferedImage image(double time) {
+        if (solid.isPresent()) {
+            return solidImage(solid.get(), time);
+        }
         paintBase(time);
         BufferedImage image = new BufferedImage(base.getWidth(), base.getHeight(), base.getType());
         Graphics2D g = image.createGraphics();
         g.drawImage(base, 0, 0, null);
         g.scale(density, density);
         picture.paintMoving(g, width, painter, time);
+        g.dispose();
+        return image;
+    }
+
+    private BufferedImage solidImage(SolidPainter from, double time) {
+        BufferedImage image = new BufferedImage(base.getWidth(), base.getHeight(), base.getType());
+        Graphics2D g = image.createGraphics();
+        g.scale(density, density);
+        picture.paintSolid(g, width, from, time);
         g.dispose();
         return image;
     }

@@ -1,5 +1,6 @@
 package troupe.paint;
 
+import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
@@ -8,6 +9,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 import troupe.geometry.Box;
+import troupe.paint.solid.Camera;
 import troupe.run.Overlay;
 import troupe.run.Run;
 import troupe.scene.Encounter;
@@ -21,6 +23,7 @@ import troupe.scene.Scene;
  * @param time seconds into the run
  * @param elevation only a trace is left of what begins higher above the ground, in metres
  * @param filled whether fields of numbers are filled, or shown by contour lines alone
+ * @param angle from where it is seen in three dimensions, without overlays; empty for the plan view
  * @param words turns the keys of a legend into what is to be read
  */
 public record Picture(
@@ -31,6 +34,7 @@ public record Picture(
         Theme theme,
         double elevation,
         boolean filled,
+        Optional<Camera.Angle> angle,
         UnaryOperator<String> words) {
     /** The least width in pixels. */
     public static final int MIN_WIDTH = 64;
@@ -52,7 +56,15 @@ public record Picture(
     /** Makes the picture of a scene in the light theme. */
     public static Picture of(Scene scene) {
         return new Picture(
-                scene, List.of(), Optional.empty(), 0, Theme.LIGHT, Double.POSITIVE_INFINITY, true, Legend.ENGLISH);
+                scene,
+                List.of(),
+                Optional.empty(),
+                0,
+                Theme.LIGHT,
+                Double.POSITIVE_INFINITY,
+                true,
+                Optional.empty(),
+                Legend.ENGLISH);
     }
 
     /** Makes the picture of a run at a time in seconds, in the light theme. */
@@ -62,27 +74,32 @@ public record Picture(
 
     /** Returns this picture with overlays in place of those it had. */
     public Picture with(List<Overlay> others) {
-        return new Picture(scene, others, run, time, theme, elevation, filled, words);
+        return new Picture(scene, others, run, time, theme, elevation, filled, angle, words);
     }
 
     /** Returns this picture with a run as it stands at a time in seconds. */
     public Picture with(Run other, double seconds) {
-        return new Picture(scene, overlays, Optional.of(other), seconds, theme, elevation, filled, words);
+        return new Picture(scene, overlays, Optional.of(other), seconds, theme, elevation, filled, angle, words);
     }
 
     /** Returns this picture in another theme. */
     public Picture with(Theme other) {
-        return new Picture(scene, overlays, run, time, other, elevation, filled, words);
+        return new Picture(scene, overlays, run, time, other, elevation, filled, angle, words);
     }
 
     /** Returns this picture with only a trace of what begins above {@code metres}. */
     public Picture upTo(double metres) {
-        return new Picture(scene, overlays, run, time, theme, metres, filled, words);
+        return new Picture(scene, overlays, run, time, theme, metres, filled, angle, words);
     }
 
     /** Returns this picture with fields of numbers shown by contour lines alone. */
     public Picture outlined() {
-        return new Picture(scene, overlays, run, time, theme, elevation, false, words);
+        return new Picture(scene, overlays, run, time, theme, elevation, false, angle, words);
+    }
+
+    /** Returns this picture in three dimensions, seen from an angle. */
+    public Picture solid(Camera.Angle from) {
+        return new Picture(scene, overlays, run, time, theme, elevation, filled, Optional.of(from), words);
     }
 
     /** Returns the width and height in pixels that a picture of the given width takes. */
@@ -92,7 +109,9 @@ public record Picture(
                     "picture of " + width + " pixels; needs " + MIN_WIDTH + " to " + MAX_WIDTH);
         }
         double inner = width - 2.0 * MARGIN;
-        double tall = inner * scene.world().depth() / scene.world().width();
+        double tall = angle.isPresent()
+                ? inner * SolidPainter.aspect(scene, angle.get())
+                : inner * scene.world().depth() / scene.world().width();
         int height = (int) Math.ceil(Double.isNaN(tall) ? inner : Math.max(MIN_WIDTH, Math.min(tall, 2 * inner)));
         return new Dimension(width, 2 * MARGIN + GAP + height + footer(width));
     }
@@ -110,7 +129,7 @@ public record Picture(
     }
 
     private Legend legend() {
-        return Legend.of(run.orElse(null), overlays, filled, theme, words);
+        return Legend.of(run.orElse(null), angle.isPresent() ? List.of() : overlays, filled, theme, words);
     }
 
     /** Returns the picture as an opaque image of the given width in pixels, {@value #MIN_WIDTH} to {@value #MAX_WIDTH}. */
@@ -146,9 +165,35 @@ public record Picture(
 
     /** Paints the picture laid out for {@code width} pixels; its height is that of {@link #size}. */
     public void paint(Graphics2D graphics, int width) {
+        if (angle.isPresent()) {
+            paintSolid(graphics, width, solidPainter(), time);
+            return;
+        }
         Optional<RunPainter> painter = runPainter();
         paint(graphics, width, painter, time, true);
         paintMoving(graphics, width, painter, time);
+    }
+
+    /** Returns the painter of a picture in three dimensions. */
+    SolidPainter solidPainter() {
+        return new SolidPainter(scene, run, theme).upTo(elevation);
+    }
+
+    /** Paints the picture in three dimensions as it stands at {@code seconds}. */
+    void paintSolid(Graphics2D graphics, int width, SolidPainter painter, double seconds) {
+        Dimension size = size(width);
+        int footer = footer(width);
+        int high = size.height - MARGIN - GAP - footer;
+        double density = Math.max(1, graphics.getTransform().getScaleX());
+        Camera camera = SolidPainter.fit(
+                scene, angle.orElseThrow(), MARGIN, MARGIN, width - 2.0 * MARGIN, high - (double) MARGIN);
+        Color ground = theme.color(Tone.CANVAS);
+        Graphics2D g = Shapes.smooth(graphics);
+        g.setColor(ground);
+        g.fillRect(0, 0, size.width, size.height);
+        g.drawImage(painter.image(camera, width, high, density, seconds, ground), 0, 0, width, high, null);
+        legend().paint(g, MARGIN, size.height - MARGIN - footer, legendWidth(width));
+        g.dispose();
     }
 
     /** Returns the painter of the run, if there is one. */

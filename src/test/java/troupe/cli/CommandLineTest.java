@@ -13,6 +13,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -89,6 +90,10 @@ class CommandLineTest {
         assertUse("format 'wav'", "export", scene, "--format", "wav", "-o", "x");
         assertUse("needs --format", "import", scene, "-o", "x.xml");
         assertUse("--png is missing", "replay", scene, "--at", "1");
+        assertUse("--png is missing", "replay", scene, "--view", "solid");
+        assertUse("needs plan or solid", "export", recorded(), "-o", "x.png", "--view", "side");
+        assertUse("elevation 10 to 85", "export", recorded(), "-o", "x.png", "--view", "solid", "--turn", "3,90");
+        assertUse("needs --view solid", "export", recorded(), "-o", "x.png", "--turn", "3,40");
     }
 
     private void assertUse(String reason, String... typed) {
@@ -252,6 +257,25 @@ class CommandLineTest {
                         .code());
         assertPng(Files.readAllBytes(png));
         assertPng(session.run("replay", recorded(), "--png", "-").bytes());
+    }
+
+    @Test
+    void replayDrawsThreeDimensionsFromAnySide() throws IOException {
+        String file = recorded();
+        byte[] plan = session.run("replay", file, "--png", "-").bytes();
+        byte[] solid =
+                session.run("replay", file, "--png", "-", "--view", "solid").bytes();
+        byte[] turned = session.run("replay", file, "--png", "-", "--view", "solid", "--turn", "120,60")
+                .bytes();
+        assertPng(solid);
+        assertPng(turned);
+        assertFalse(Arrays.equals(plan, solid));
+        assertFalse(Arrays.equals(turned, solid));
+        Path gif = folder.resolve("solid.gif");
+        Result result =
+                session.run("export", file, "-o", gif.toString(), "--view", "solid", "--width", "200", "--rate", "2");
+        assertEquals(0, result.code(), result.toString());
+        assertEquals("GIF", new String(Files.readAllBytes(gif), 0, 3, StandardCharsets.US_ASCII));
     }
 
     @Test

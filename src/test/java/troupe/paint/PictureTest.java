@@ -12,12 +12,16 @@ import java.io.File;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.Set;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import troupe.paint.solid.Camera;
 import troupe.run.Overlay;
+import troupe.run.Run;
 
 /**
  * Compares pictures with stored ones, without text since fonts differ between machines. Run with
@@ -31,6 +35,9 @@ class PictureTest {
     private record Case(String name, Theme theme) {
         BufferedImage image() {
             int height = 174;
+            if (name.startsWith("solid")) {
+                return solid(height);
+            }
             BufferedImage image = new BufferedImage(WIDTH, height, BufferedImage.TYPE_INT_RGB);
             Graphics2D g = image.createGraphics();
             g.setColor(theme.color(Tone.CANVAS));
@@ -59,6 +66,17 @@ class PictureTest {
             return image;
         }
 
+        private BufferedImage solid(int height) {
+            Run run = name.equals("solid-moved") ? Sketch.haul() : Sketch.run();
+            Camera.Angle angle = name.equals("solid-north")
+                    ? new Camera.Angle(Math.toRadians(200), Math.toRadians(25))
+                    : Camera.Angle.DEFAULT;
+            Camera camera = SolidPainter.fit(Sketch.scene(), angle, 4, 4, WIDTH - 8.0, height - 8.0);
+            return new SolidPainter(Sketch.scene(), Optional.of(run), theme)
+                    .marking(Set.of("crate"))
+                    .image(camera, WIDTH, height, 1, name.equals("solid-moved") ? 8 : 3.6, theme.color(Tone.CANVAS));
+        }
+
         File file() {
             return new File(FOLDER, this + ".png");
         }
@@ -80,7 +98,10 @@ class PictureTest {
                         "trigger-points",
                         "move",
                         "moved",
-                        "move-views")
+                        "move-views",
+                        "solid",
+                        "solid-moved",
+                        "solid-north")
                 .flatMap(name -> Stream.of(Theme.values()).map(theme -> new Case(name, theme)));
     }
 
