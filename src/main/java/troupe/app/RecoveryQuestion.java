@@ -48,7 +48,8 @@ final class RecoveryQuestion {
         name.setFont(Theme.bold(14));
         words.add(name);
         words.add(Box.createVerticalStrut(4));
-        words.add(look.label(offer.left().file().map(Path::getParent).map(Path::toString).orElse(" "), Tone.DIM));
+        words.add(look.label(
+                offer.left().file().map(Path::getParent).map(Path::toString).orElse(" "), Tone.DIM));
         words.add(Box.createVerticalStrut(12));
         words.add(look.label(look.texts().format("recovery", time(look, offer)), Tone.TEXT));
         words.add(Box.createVerticalStrut(4));

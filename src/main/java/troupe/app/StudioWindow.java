@@ -101,8 +101,8 @@ final class StudioWindow {
         });
         session.playback().listeners().add(this::runClock);
         pages = new Pages(this, settings, eventThread);
-        recovery = new Recovery(
-                session, new KeptFiles(settings.recoveryFolder()), eventThread, look.theme(), this::offer);
+        recovery =
+                new Recovery(session, new KeptFiles(settings.recoveryFolder()), eventThread, look.theme(), this::offer);
         frame.setTransferHandler(new SceneDrop(pages::open));
         build();
         playKey = new PlayKey(

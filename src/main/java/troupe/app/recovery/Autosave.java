@@ -27,8 +27,7 @@ public final class Autosave implements AutoCloseable {
     private final KeptFiles kept;
     private final Consumer<IOException> failed;
     private final Timer timer;
-    private final ExecutorService background =
-            Executors.newSingleThreadExecutor(task -> new Thread(task, "recovery"));
+    private final ExecutorService background = Executors.newSingleThreadExecutor(task -> new Thread(task, "recovery"));
     private final Runnable leave;
     private Optional<Path> belongs;
     private Optional<Path> slot = Optional.empty();

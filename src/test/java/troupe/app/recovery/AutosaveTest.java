@@ -66,8 +66,8 @@ class AutosaveTest {
     }
 
     private void edit() {
-        OnEventThread.run(() -> document.commit(
-                "Move", SceneEdits.shifted(document.scene(), java.util.List.of("crate"), 0.5, 0)));
+        OnEventThread.run(() ->
+                document.commit("Move", SceneEdits.shifted(document.scene(), java.util.List.of("crate"), 0.5, 0)));
     }
 
     private void awaitKept(Path slot) {
