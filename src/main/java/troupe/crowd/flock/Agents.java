@@ -32,6 +32,12 @@ public final class Agents {
     public final byte[] state;
     /** The steps for which an agent has hardly moved. */
     public final int[] still;
+    /** The lowest potential that an agent has come to, and the steps since then. */
+    public final float[] lowest;
+
+    public final int[] stalled;
+    /** The steps for which an agent still gives way, going back; 0 if it does not. */
+    public final int[] yielding;
     /** The step in which an agent arrived, -1 before. */
     public final int[] arrival;
 
@@ -52,7 +58,11 @@ public final class Agents {
         near = new double[count];
         state = new byte[count];
         still = new int[count];
+        lowest = new float[count];
+        stalled = new int[count];
+        yielding = new int[count];
         arrival = new int[count];
+        java.util.Arrays.fill(lowest, Float.POSITIVE_INFINITY);
         java.util.Arrays.fill(arrival, -1);
     }
 }

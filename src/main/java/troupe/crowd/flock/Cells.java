@@ -33,6 +33,14 @@ final class Cells {
     final double[] topSpeed;
     final int[] leaf;
     final byte[] state;
+    /** The direction of each agent's path, a unit vector or 0. */
+    final double[] pathX;
+
+    final double[] pathY;
+    /** The goal of each agent, and its rank: the higher has the right of way. */
+    final long[] rank;
+
+    final int[] yielding;
 
     /** Makes room for the agents of a world. */
     Cells(int count, double width, double depth, double view) {
@@ -57,6 +65,10 @@ final class Cells {
         topSpeed = new double[count];
         leaf = new int[count];
         state = new byte[count];
+        pathX = new double[count];
+        pathY = new double[count];
+        rank = new long[count];
+        yielding = new int[count];
     }
 
     /** Sorts the agents where they stand now. */
@@ -89,6 +101,7 @@ final class Cells {
         topSpeed[place] = agents.topSpeed[i];
         leaf[place] = agents.leaf[i];
         state[place] = agents.state[i];
+        yielding[place] = agents.yielding[i];
     }
 
     int col(double atX) {

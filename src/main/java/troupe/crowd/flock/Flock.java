@@ -15,6 +15,7 @@ public final class Flock {
     private final Steering steering;
     private final Settling settling;
     private final long seed;
+    private final boolean paper;
     private final LongAdder visits = new LongAdder();
     private Pull pull;
     private long moves;
@@ -29,10 +30,11 @@ public final class Flock {
         this.agents = agents;
         this.sweep = sweep;
         this.seed = crowd.seed();
+        this.paper = crowd.manner().motion() == Crowd.Motion.PAPER;
         this.cells = new Cells(agents.count, width, depth, crowd.manner().view());
         this.proposals = new Proposals(agents.count);
         this.steering = new Steering(crowd, kin, cells, proposals, agents);
-        this.settling = new Settling(cells, proposals, agents, crowd.manner().bodyHeight());
+        this.settling = new Settling(cells, proposals, agents, crowd.manner().bodyHeight(), paper);
         this.pull = new Pull(crowd);
     }
 
@@ -55,6 +57,7 @@ public final class Flock {
     public void step(long step) {
         cells.sort(agents);
         steering.prepare(pull, step);
+        sweep.over(agents.count, steering::orient);
         sweep.over(agents.count, (from, to) -> visits.add(steering.run(from, to)));
         settling.settle(sweep, seed, step);
         sweep.over(agents.count, (from, to) -> commit(from, to, (int) step));
@@ -66,7 +69,10 @@ public final class Flock {
     private void commit(int from, int to, int step) {
         for (int k = from; k < to; k++) {
             int i = cells.agent[k];
-            if (agents.state[i] == Agents.ARRIVED) {
+            if (agents.state[i] == Agents.ARRIVED
+                    && agents.span[i] == proposals.span[k]
+                    && agents.x[i] == proposals.x[k]
+                    && agents.y[i] == proposals.y[k]) {
                 continue;
             }
             double dx = proposals.x[k] - agents.x[i];
@@ -76,10 +82,19 @@ public final class Flock {
             agents.y[i] = proposals.y[k];
             agents.z[i] = proposals.z[k];
             agents.span[i] = proposals.span[k];
-            agents.headingX[i] = proposals.headingX[k];
-            agents.headingY[i] = proposals.headingY[k];
+            if (paper) {
+                agents.headingX[i] = proposals.headingX[k];
+                agents.headingY[i] = proposals.headingY[k];
+            } else {
+                turn(k, i, dx, dy, moved);
+            }
+            if (agents.state[i] == Agents.ARRIVED) {
+                continue;
+            }
             agents.speed[i] = moved;
             agents.still[i] = moved < 0.1 * agents.topSpeed[i] ? agents.still[i] + 1 : Math.max(0, agents.still[i] - 2);
+            agents.yielding[i] = proposals.yielding[k];
+            progress(i);
             agents.state[i] = agents.still[i] >= Steering.PATIENCE ? Agents.WAITING : Agents.WALKING;
             if (arrives(k, i)) {
                 agents.state[i] = Agents.ARRIVED;
@@ -98,10 +113,36 @@ public final class Flock {
         if (left <= agents.radius[i]) {
             return true;
         }
-        if (left <= agents.near[i] && agents.still[i] >= 10) {
+        if (left <= agents.near[i] && (agents.still[i] >= 10 || agents.stalled[i] >= 25)) {
             return true;
         }
-        return left <= 3 * agents.near[i] + 2 && agents.still[i] >= 20 && touchesArrived(k, i);
+        return left <= 2 * agents.near[i] && agents.stalled[i] >= 100
+                || left <= 3 * agents.near[i] + 2 && agents.stalled[i] >= 50 && touchesArrived(k, i);
+    }
+
+    /** Turns an agent to where it has moved; one that stands turns slowly to where it would go. */
+    private void turn(int k, int i, double dx, double dy, double moved) {
+        double share = moved > 0.2 * agents.topSpeed[i] ? 0.5 : 0.05;
+        double length = moved * Crowd.STEP_SECONDS;
+        boolean goes = share == 0.5;
+        double toX = goes ? dx / length : proposals.headingX[k];
+        double toY = goes ? dy / length : proposals.headingY[k];
+        double x = agents.headingX[i] + share * (toX - agents.headingX[i]);
+        double y = agents.headingY[i] + share * (toY - agents.headingY[i]);
+        double norm = Math.sqrt(x * x + y * y);
+        agents.headingX[i] = norm > 1e-3 ? x / norm : toX;
+        agents.headingY[i] = norm > 1e-3 ? y / norm : toY;
+    }
+
+    /** Notes whether an agent has come nearer to its goal. */
+    private void progress(int i) {
+        float left = agents.way[i].potential(agents.span[i]);
+        if (left < agents.lowest[i] - 0.05f) {
+            agents.lowest[i] = left;
+            agents.stalled[i] = 0;
+        } else {
+            agents.stalled[i]++;
+        }
     }
 
     private boolean touchesArrived(int k, int i) {

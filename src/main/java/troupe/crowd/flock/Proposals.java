@@ -15,6 +15,9 @@ final class Proposals {
     final double[] headingX;
     final double[] headingY;
     final double[] speed;
+    /** The steps for which the agent then still gives way. */
+    final int[] yielding;
+
     final int[] contacts;
     /** The number of contacts; more than {@link #CONTACTS} if some are missing. */
     final int[] contactCount;
@@ -27,6 +30,7 @@ final class Proposals {
         headingX = new double[count];
         headingY = new double[count];
         speed = new double[count];
+        yielding = new int[count];
         contacts = new int[count * CONTACTS];
         contactCount = new int[count];
     }

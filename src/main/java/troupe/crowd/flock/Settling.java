@@ -14,6 +14,9 @@ import troupe.scene.Crowd;
  */
 final class Settling {
     private static final int ROUNDS = 8;
+    /** Rounds in which one waits for the others; in later ones it tries another direction, as the other may wait, too. */
+    private static final int WAITING_ROUNDS = 4;
+
     private static final int RETRIES = 3;
     private static final byte UNDECIDED = 0;
     private static final byte ACCEPTED = 1;
@@ -24,16 +27,20 @@ final class Settling {
     private final Proposals proposals;
     private final Agents agents;
     private final double bodyHeight;
+    /** The widest turn of a retry in radians, less the narrowest. */
+    private final double turn;
+
     private final byte[] status;
     private final byte[] verdict;
     private final byte[] tries;
     private final long[] priority;
 
-    Settling(Cells cells, Proposals proposals, Agents agents, double bodyHeight) {
+    Settling(Cells cells, Proposals proposals, Agents agents, double bodyHeight, boolean paper) {
         this.cells = cells;
         this.proposals = proposals;
         this.agents = agents;
         this.bodyHeight = bodyHeight;
+        this.turn = paper ? Math.PI - 0.35 : 1.4;
         status = new byte[cells.count];
         verdict = new byte[cells.count];
         tries = new byte[cells.count];
@@ -45,7 +52,8 @@ final class Settling {
         sweep.over(cells.count, (from, to) -> begin(from, to, seed, step));
         for (int round = 0; round < ROUNDS; round++) {
             AtomicInteger undecided = new AtomicInteger();
-            sweep.over(cells.count, this::judge);
+            byte waiting = round < WAITING_ROUNDS ? UNDECIDED : RETRY;
+            sweep.over(cells.count, (from, to) -> judge(from, to, waiting));
             sweep.over(cells.count, (from, to) -> undecided.addAndGet(apply(from, to, seed, step)));
             if (undecided.get() == 0) {
                 break;
@@ -63,13 +71,13 @@ final class Settling {
         }
     }
 
-    private void judge(int from, int to) {
+    private void judge(int from, int to, byte waiting) {
         for (int k = from; k < to; k++) {
-            verdict[k] = status[k] == UNDECIDED ? verdict(k) : status[k];
+            verdict[k] = status[k] == UNDECIDED ? verdict(k, waiting) : status[k];
         }
     }
 
-    private byte verdict(int k) {
+    private byte verdict(int k, byte waiting) {
         boolean waits = false;
         int base = k * Proposals.CONTACTS;
         for (int c = base; c < base + proposals.contactCount[k]; c++) {
@@ -87,7 +95,7 @@ final class Settling {
                 waits = meetsOld(k, j) || before(j, k) && meetsNew(k, j);
             }
         }
-        return waits ? UNDECIDED : ACCEPTED;
+        return waits ? waiting : ACCEPTED;
     }
 
     private boolean before(int a, int b) {
@@ -136,7 +144,7 @@ final class Settling {
         double length = Math.max(proposals.speed[k], 0.3 * cells.topSpeed[k]) * Crowd.STEP_SECONDS;
         for (int attempt = 0; attempt < 2; attempt++) {
             long bits = Chance.bits(seed, 16 + 2 * tries[k] + attempt, agent, step);
-            double angle = (0.35 + 1.4 * Chance.unit(bits)) * ((bits & 1) == 0 ? 1 : -1);
+            double angle = (0.35 + turn * Chance.unit(bits)) * ((bits & 1) == 0 ? 1 : -1);
             double cos = StrictMath.cos(angle);
             double sin = StrictMath.sin(angle);
             double hx = cos * proposals.headingX[k] - sin * proposals.headingY[k];

@@ -2,6 +2,7 @@ package troupe.crowd.flock;
 
 import troupe.crowd.ground.Terrain;
 import troupe.crowd.ground.Way;
+import troupe.grid.GridFrame;
 import troupe.scene.Crowd;
 
 /**
@@ -23,6 +24,9 @@ final class Steering {
     /** Collisions further off in seconds than this are not looked at. */
     private static final double HORIZON = 3;
 
+    /** Those who have arrived push so little, whoever they are, that others can settle beside them. */
+    private static final double SETTLED_PUSH = 0.3;
+
     private static final double ACCELERATION = 2.5;
     private static final int NEAR = 96;
     /** Steps of standing still after which an agent tries directions by chance. */
@@ -40,6 +44,7 @@ final class Steering {
     private final double widest;
     private final double fastest;
     private final long seed;
+    private final RightOfWay rightOfWay;
     private Pull pull;
     private long step;
 
@@ -54,6 +59,7 @@ final class Steering {
         this.nearHeight = bodyHeight + 2 * crowd.manner().stepHeight();
         this.paper = crowd.manner().motion() == Crowd.Motion.PAPER;
         this.seed = crowd.seed();
+        this.rightOfWay = new RightOfWay(cells);
         double radius = 0;
         double speed = 0;
         for (int i = 0; i < agents.count; i++) {
@@ -93,7 +99,7 @@ final class Steering {
         Sight sight = new Sight();
         for (int k = from; k < to; k++) {
             if (cells.state[k] == Agents.ARRIVED) {
-                stay(k);
+                makeRoom(k);
             } else {
                 look(k, sight);
                 steer(k, sight);
@@ -111,6 +117,50 @@ final class Steering {
         out.headingY[k] = cells.headingY[k];
         out.speed[k] = 0;
         out.contactCount[k] = 0;
+    }
+
+    /** Keeps one that has arrived where it is, unless somebody with another goal is stuck beside it: then it steps aside. */
+    private void makeRoom(int k) {
+        stay(k);
+        if (paper) {
+            return;
+        }
+        double x = cells.x[k];
+        double y = cells.y[k];
+        double reach = cells.radius[k] + widest + (cells.topSpeed[k] + fastest) * Crowd.STEP_SECONDS;
+        double asideX = 0;
+        double asideY = 0;
+        int count = 0;
+        int lastCol = cells.col(x + reach);
+        int firstCol = cells.col(x - reach);
+        int lastRow = cells.row(y + reach);
+        for (int row = cells.row(y - reach); row <= lastRow; row++) {
+            int end = cells.end(lastCol, row);
+            for (int j = cells.start(firstCol, row); j < end; j++) {
+                double dx = x - cells.x[j];
+                double dy = y - cells.y[j];
+                if (j == k
+                        || dx * dx + dy * dy >= reach * reach * 1.000001
+                        || Math.abs(cells.z[j] - cells.z[k]) >= nearHeight) {
+                    continue;
+                }
+                if (count < Proposals.CONTACTS) {
+                    out.contacts[k * Proposals.CONTACTS + count] = j;
+                }
+                count++;
+                if (cells.state[j] == Agents.WAITING && cells.rank[j] != cells.rank[k]) {
+                    double along = dx * cells.pathX[j] + dy * cells.pathY[j];
+                    asideX += dx - 0.7 * along * cells.pathX[j];
+                    asideY += dy - 0.7 * along * cells.pathY[j];
+                }
+            }
+        }
+        double length = Math.sqrt(asideX * asideX + asideY * asideY);
+        if (length > 1e-6) {
+            out.contactCount[k] = count;
+            int agent = cells.agent[k];
+            move(k, agent, asideX / length, asideY / length, 0.4 * cells.topSpeed[k]);
+        }
     }
 
     private void look(int k, Sight s) {
@@ -168,14 +218,13 @@ final class Steering {
     private void feel(int k, int j, double dx, double dy, double squared, Sight s) {
         int depth = depths[cells.leaf[k] * leaves + cells.leaf[j]];
         double reach = cells.radius[k] + cells.radius[j];
-        double push = pull.kinSeparation[depth]
-                * reach
-                * reach
-                / (Math.max(squared, 1e-6) * Math.sqrt(Math.max(squared, 1e-6)));
+        double safe = Math.max(squared, 1e-6);
+        boolean arrived = cells.state[j] == Agents.ARRIVED;
+        double push = (arrived ? SETTLED_PUSH : pull.kinSeparation[depth]) * reach * reach / (safe * Math.sqrt(safe));
         s.separationX -= push * dx;
         s.separationY -= push * dy;
         s.seen++;
-        if (cells.state[j] != Agents.ARRIVED) {
+        if (!arrived) {
             s.cohesionX += pull.kinCohesion[depth] * dx;
             s.cohesionY += pull.kinCohesion[depth] * dy;
             s.alignmentX += pull.kinAlignment[depth] * cells.headingX[j];
@@ -185,19 +234,16 @@ final class Steering {
 
     private void steer(int k, Sight s) {
         int agent = cells.agent[k];
-        Way way = agents.way[agent];
-        int span = agents.span[agent];
-        double pathX;
-        double pathY;
-        if (paper) {
-            int d = way.next(span);
-            double length = d < 4 ? 1 : Math.sqrt(0.5);
-            pathX = d < 0 ? 0 : troupe.grid.GridFrame.dx(d) * length;
-            pathY = d < 0 ? 0 : troupe.grid.GridFrame.dy(d) * length;
-        } else {
-            long towards = way.towards(span);
-            pathX = Way.x(towards);
-            pathY = Way.y(towards);
+        double pathX = cells.pathX[k];
+        double pathY = cells.pathY[k];
+        if (!paper) {
+            out.yielding[k] = rightOfWay.yielding(k, agents.still[agent], s.near, s.nearCount);
+            if (out.yielding[k] > 0) {
+                double backX = -pathX - 0.4 * pathY;
+                double backY = -pathY + 0.4 * pathX;
+                pathX = backX / Math.sqrt(1.16);
+                pathY = backY / Math.sqrt(1.16);
+            }
         }
         double n = Math.max(1, s.seen);
         double sumX = pull.separation * s.separationX
@@ -226,6 +272,29 @@ final class Steering {
         propose(k, agent, headingX, headingY, s);
     }
 
+    /** Finds the direction of the path and the rank of a range of places, for themselves and for those who see them. */
+    void orient(int from, int to) {
+        for (int k = from; k < to; k++) {
+            int agent = cells.agent[k];
+            Way way = agents.way[agent];
+            int span = agents.span[agent];
+            cells.rank[k] = RightOfWay.rank(seed, way.goal());
+            if (cells.state[k] == Agents.ARRIVED) {
+                cells.pathX[k] = 0;
+                cells.pathY[k] = 0;
+            } else if (paper) {
+                int d = way.next(span);
+                double length = d < 4 ? 1 : Math.sqrt(0.5);
+                cells.pathX[k] = d < 0 ? 0 : GridFrame.dx(d) * length;
+                cells.pathY[k] = d < 0 ? 0 : GridFrame.dy(d) * length;
+            } else {
+                long towards = way.towards(span);
+                cells.pathX[k] = Way.x(towards);
+                cells.pathY[k] = Way.y(towards);
+            }
+        }
+    }
+
     /** Finds the push sideways from those that the agent would meet soon if it went down its path. */
     private void anticipate(int k, double pathX, double pathY, Sight s) {
         double pushX = 0;
@@ -235,13 +304,16 @@ final class Steering {
             int j = s.near[m];
             double dx = cells.x[j] - cells.x[k];
             double dy = cells.y[j] - cells.y[k];
-            double wx = pathX * speed - cells.headingX[j] * cells.speed[j];
-            double wy = pathY * speed - cells.headingY[j] * cells.speed[j];
+            boolean opposing = cells.pathX[j] * pathX + cells.pathY[j] * pathY < -0.2;
+            // who comes against one is expected to come on, even if it stands at the moment
+            double pace = opposing ? Math.max(cells.speed[j], 0.5 * cells.topSpeed[j]) : cells.speed[j];
+            double wx = pathX * speed - (opposing ? cells.pathX[j] : cells.headingX[j]) * pace;
+            double wy = pathY * speed - (opposing ? cells.pathY[j] : cells.headingY[j]) * pace;
             double along = wx * dx + wy * dy;
             if (along <= 0) {
                 continue;
             }
-            double reach = cells.radius[k] + cells.radius[j] + 0.05;
+            double reach = cells.radius[k] + cells.radius[j] + 0.1;
             double relative = wx * wx + wy * wy;
             double apart = Math.max(0, dx * dx + dy * dy - reach * reach);
             double root = along * along - relative * apart;
@@ -253,9 +325,8 @@ final class Steering {
                 continue;
             }
             double urgency = (1 - time / HORIZON) * (1 - time / HORIZON);
-            boolean opposing = cells.headingX[j] * pathX + cells.headingY[j] * pathY < -0.2;
             double side = wx * dy - wy * dx;
-            double bias = opposing ? -0.6 * reach * Math.sqrt(relative) : 0;
+            double bias = opposing ? -0.7 * reach * Math.sqrt(relative) : 0;
             double right = side >= bias ? urgency : -urgency;
             pushX += right * pathY;
             pushY -= right * pathX;
