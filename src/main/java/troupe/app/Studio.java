@@ -20,6 +20,7 @@ import troupe.app.settings.StudioSettings;
 import troupe.run.Engine;
 import troupe.run.GridOverlays;
 import troupe.run.Overlay;
+import troupe.scene.Journey;
 import troupe.scene.Problem;
 import troupe.scene.Scene;
 import troupe.scene.SceneChecks;
@@ -124,6 +125,9 @@ public final class Studio {
         @Override
         public List<Overlay> overlays(Scene scene, String task, Engine engine, List<Integer> chosen) {
             List<Overlay> all = new ArrayList<>(engine.overlays(chosen));
+            if (!(scene.task(task).orElse(null) instanceof Journey)) {
+                return all;
+            }
             Set<String> known = all.stream().map(Overlay::key).collect(Collectors.toSet());
             List<String> missing =
                     GridOverlays.KEYS.stream().filter(k -> !known.contains(k)).toList();

@@ -17,6 +17,7 @@ import troupe.app.document.Version;
 import troupe.run.Engine;
 import troupe.run.Overlay;
 import troupe.run.Run;
+import troupe.run.Simulation;
 import troupe.scene.Problem;
 import troupe.scene.Severity;
 import troupe.search.Outcome;
@@ -53,12 +54,21 @@ public final class LivePlanner implements AutoCloseable {
     private final AtomicInteger leftBehind = new AtomicInteger();
     private final Listeners<Plan> plans = new Listeners<>();
     private final Listeners<Work> works = new Listeners<>();
-    private volatile ThreadPoolExecutor worker = worker();
     private volatile Snapshot newest;
+    private volatile Simulated simulated;
+    private final Intervention intervention = new Intervention(
+            () -> Optional.ofNullable(simulated)
+                    .filter(s -> s.snapshot() == newest)
+                    .map(s -> s.work().steering()),
+            this::wake);
+    private volatile ThreadPoolExecutor worker = worker();
     private volatile Snapshot cancelled;
     private volatile Watch seen;
     private volatile List<Integer> chosen = List.of();
     private Version told = new Version(-1, 0);
+
+    /** The simulation of a snapshot. */
+    private record Simulated(Snapshot snapshot, Simulating work) {}
 
     /** Makes a planner that tells its results through {@code eventThread}. */
     public LivePlanner(PlanningSteps steps, Executor eventThread) {
@@ -88,6 +98,11 @@ public final class LivePlanner implements AutoCloseable {
     /** Returns the observers of how far the work has come. */
     public Listeners<Work> works() {
         return works;
+    }
+
+    /** Returns what lets a person take part in the simulation that is shown. */
+    public Intervention intervention() {
+        return intervention;
     }
 
     /** Asks for a plan of a snapshot; the newest request wins. */
@@ -180,7 +195,12 @@ public final class LivePlanner implements AutoCloseable {
         Watch watch = new Watch(snapshot);
         current.set(watch);
         try {
-            plan(snapshot, watch);
+            Simulated one = simulated;
+            if (one != null && one.snapshot() == snapshot && watch.goesOn()) {
+                simulate(one, watch);
+            } else {
+                plan(snapshot, watch);
+            }
         } catch (CancellationException e) {
             return; // not wanted any more: what was told before stays
         } finally {
@@ -196,24 +216,57 @@ public final class LivePlanner implements AutoCloseable {
         watch.report(0, Double.NaN);
         List<Problem> problems = steps.check(snapshot.scene());
         if (snapshot.task().isEmpty() || problems.stream().anyMatch(p -> p.severity() == Severity.ERROR)) {
-            watch.tell(new Plan(snapshot, Optional.empty(), problems, Views.NONE, Optional.empty(), watch.elapsedMs()));
+            watch.tell(new Plan(snapshot, Optional.empty(), problems, watch.elapsedMs()));
             return;
         }
         Engine engine = steps.start(snapshot.scene(), snapshot.task());
-        if (!finish(engine, watch)) {
-            return;
+        if (engine instanceof Simulation first) {
+            watch.latest = new Plan(snapshot, Optional.empty(), problems, 0);
+            simulated = new Simulated(snapshot, new Simulating(first, () -> restarted(snapshot)));
+            simulate(simulated, watch);
+        } else if (finish(engine, watch)) {
+            watch.tell(new Plan(snapshot, Optional.of(engine.run()), problems, watch.elapsedMs()));
+            tellMore(engine, watch);
         }
-        Run run = engine.run();
-        Plan plan = new Plan(snapshot, Optional.of(run), problems, Views.NONE, Optional.empty(), watch.elapsedMs());
-        watch.tell(plan);
+    }
+
+    private Simulation restarted(Snapshot snapshot) {
+        return (Simulation) steps.start(snapshot.scene(), snapshot.task());
+    }
+
+    /** Works a simulation while its run is shown, until it has ended or is not wanted any more. */
+    private void simulate(Simulated one, Watch watch) {
+        try {
+            if (one.work().work(watch)) {
+                tellMore(one.work().engine(), watch);
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    /** Tells the views of an engine that has ended, all problems, and what else could be done. */
+    private void tellMore(Engine engine, Watch watch) {
         if (watch.isWanted()) {
             watch.see(engine);
             seen = watch;
+            Snapshot snapshot = watch.snapshot;
             if (snapshot.version().preview() == 0 && watch.isWanted()) {
                 List<Problem> all = steps.inspect(snapshot.scene());
                 watch.tellWanted(p -> p.withProblems(all));
-                explain(run, watch);
+                explain(engine.run(), watch);
             }
+        }
+    }
+
+    private void wake() {
+        Simulated one = simulated;
+        if (one != null && one.snapshot() == newest && !one.work().isWorking()) {
+            if (cancelled == one.snapshot()) {
+                cancelled = null;
+            }
+            ThreadPoolExecutor by = worker;
+            by.execute(() -> work(one.snapshot(), by));
         }
     }
 
@@ -262,7 +315,7 @@ public final class LivePlanner implements AutoCloseable {
     }
 
     /** Watches one piece of work: whether it is still wanted, and when to report. */
-    private final class Watch {
+    private final class Watch implements Simulating.Watcher {
         private final Snapshot snapshot;
         private final long begin = System.nanoTime();
         private volatile boolean left;
@@ -333,11 +386,13 @@ public final class LivePlanner implements AutoCloseable {
                     || asked.version().revision() != snapshot.version().revision();
         }
 
-        private boolean isCancelled() {
+        @Override
+        public boolean isCancelled() {
             return cancelled == snapshot;
         }
 
-        private boolean isObsolete() {
+        @Override
+        public boolean isObsolete() {
             Snapshot asked = newest;
             if (asked == snapshot) {
                 return false;
@@ -347,7 +402,22 @@ public final class LivePlanner implements AutoCloseable {
                     || elapsedMs() > patienceMs;
         }
 
-        private void report(long done, double share) {
+        @Override
+        public void publish(Run run, List<Simulation.Control> controls) {
+            tell(latest.grown(run, controls, elapsedMs()));
+        }
+
+        /** Takes over what was told last, if that was of the same snapshot. */
+        private boolean goesOn() {
+            Watch last = seen;
+            if (last != null && last.snapshot == snapshot) {
+                latest = last.latest;
+            }
+            return latest != null;
+        }
+
+        @Override
+        public void report(long done, double share) {
             long now = System.nanoTime();
             if (now - reported >= TimeUnit.MILLISECONDS.toNanos(REPORT_MS)) {
                 reported = now;

@@ -23,6 +23,7 @@ public final class Playback {
     private double speed = 1;
     private boolean playing;
     private boolean loop;
+    private boolean growing;
 
     /** Returns the observers, told after each change. */
     public Listeners<Playback> listeners() {
@@ -59,11 +60,17 @@ public final class Playback {
      * stays, as far as the run has it; one that plays goes on playing.
      */
     public void load(double seconds, double framesPerSecond) {
+        load(seconds, framesPerSecond, false);
+    }
+
+    /** Takes another run that may grow still: where it ends now, playing waits for more instead of stopping. */
+    public void load(double seconds, double framesPerSecond, boolean mayGrow) {
         EventThread.require();
+        growing = mayGrow;
         duration = Math.max(0, seconds);
         rate = framesPerSecond;
         time = Math.min(time, duration);
-        playing &= duration > 0;
+        playing &= duration > 0 || growing;
         listeners.tell(this);
     }
 
@@ -71,7 +78,7 @@ public final class Playback {
     public void play() {
         EventThread.require();
         if (duration > 0) {
-            time = time >= duration ? 0 : time;
+            time = time >= duration && !growing ? 0 : time;
             playing = true;
             listeners.tell(this);
         }
@@ -140,7 +147,9 @@ public final class Playback {
             return;
         }
         double next = time + seconds * speed;
-        if (next >= duration) {
+        if (next >= duration && growing) {
+            next = duration;
+        } else if (next >= duration) {
             next = loop ? next % duration : duration;
             playing = loop;
         }

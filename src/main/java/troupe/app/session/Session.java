@@ -11,6 +11,7 @@ import troupe.app.document.EventThread;
 import troupe.app.document.Listeners;
 import troupe.app.document.SceneDocument;
 import troupe.app.document.Selection;
+import troupe.app.plan.Intervention;
 import troupe.app.plan.LivePlanner;
 import troupe.app.plan.Plan;
 import troupe.app.plan.PlanningSteps;
@@ -58,6 +59,7 @@ public final class Session implements AutoCloseable {
         planner.works().add(now -> work = now);
         document.listeners().add(this::changed);
         overlays.listeners().add(choice -> look());
+        playback.listeners().add(p -> planner.intervention().pace(frame()));
     }
 
     /** Returns the document. */
@@ -129,6 +131,26 @@ public final class Session implements AutoCloseable {
         planner.request(new Snapshot(document.version(), document.shown(), document.task()));
     }
 
+    /** Takes hold of the simulation that is shown, at the moment shown; see {@link Intervention#grab}. */
+    public void grab() {
+        planner.intervention().grab(frame() + 1);
+    }
+
+    /** Sets a value of the simulation that is held, from now on. */
+    public void steer(String control, double value) {
+        planner.intervention().set(control, value);
+    }
+
+    /** Lets go of the simulation. */
+    public void release() {
+        planner.intervention().release();
+    }
+
+    private long frame() {
+        double rate = run().map(r -> r.frames().rate()).orElse(25.0);
+        return (long) Math.floor(playback.time() * rate + 1e-6);
+    }
+
     private void look() {
         if (!looked.equals(overlays.chosen())) {
             looked = overlays.chosen();
@@ -162,7 +184,8 @@ public final class Session implements AutoCloseable {
             Optional<Frames> frames = newer.run().map(Run::frames);
             playback.load(
                     frames.map(Frames::duration).orElse(0.0),
-                    frames.map(Frames::rate).orElse(25.0));
+                    frames.map(Frames::rate).orElse(25.0),
+                    newer.run().filter(r -> r.outcome().isRunning()).isPresent());
         }
         plans.tell(newer);
     }

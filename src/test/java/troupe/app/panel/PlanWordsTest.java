@@ -13,7 +13,6 @@ import troupe.app.document.Version;
 import troupe.app.look.Texts;
 import troupe.app.plan.Plan;
 import troupe.app.plan.Snapshot;
-import troupe.app.plan.Views;
 import troupe.run.FrameRecorder;
 import troupe.run.Frames;
 import troupe.run.Report;
@@ -83,8 +82,7 @@ class PlanWordsTest {
         Problem twice = new Problem(Severity.ERROR, "ann", 0, "is there twice", "rename one");
         Problem mild = new Problem(Severity.WARNING, "ann", 0, "is slow", "");
         Snapshot snapshot = new Snapshot(new Version(1, 0), Scenes.room(), "there");
-        Plan plan =
-                new Plan(snapshot, Optional.empty(), List.of(twisted, twice, mild), Views.NONE, Optional.empty(), 1);
+        Plan plan = new Plan(snapshot, Optional.empty(), List.of(twisted, twice, mild), 1);
         assertEquals(2, PlanWords.errors(plan));
         assertEquals(
                 "Not planned, errors: 2. First: 'crate' is twisted; untwist it",

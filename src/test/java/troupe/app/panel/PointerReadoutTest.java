@@ -35,7 +35,13 @@ class PointerReadoutTest {
         Scene scene = Scenes.room();
         Snapshot snapshot = new Snapshot(new Version(1, 0), scene, "there");
         return new Plan(
-                snapshot, Optional.empty(), List.of(), Views.of(scene, overlays, List.of()), Optional.empty(), 1);
+                snapshot,
+                Optional.empty(),
+                List.of(),
+                Views.of(scene, overlays, List.of()),
+                Optional.empty(),
+                List.of(),
+                1);
     }
 
     private List<Value> at(double x, double y, int layer) {

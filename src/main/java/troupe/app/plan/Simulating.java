@@ -1,0 +1,152 @@
+package troupe.app.plan;
+
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Supplier;
+import troupe.run.Run;
+import troupe.run.Simulation;
+import troupe.search.Outcome;
+
+/**
+ * Works a simulation on a background thread while its run is shown, and lets a person take part. Left alone it
+ * runs ahead as far as there is. What the person does takes effect at the step that is shown: what was simulated
+ * after it is dropped, the values given before it stay, and a fresh engine is brought to that step, which makes
+ * the same frames again. Used by one thread at a time, but for {@link #steering()}.
+ */
+final class Simulating {
+    private static final long SLICE_NANOS = TimeUnit.MILLISECONDS.toNanos(10);
+    private static final long PUBLISH_NANOS = TimeUnit.MILLISECONDS.toNanos(40);
+    private static final long WAIT_MS = 20;
+
+    private final Supplier<Simulation> fresh;
+    private final Steering steering = new Steering();
+    private Simulation engine;
+    private volatile boolean working;
+
+    /** Sees what comes of it, and says whether it is still wanted. */
+    interface Watcher {
+        /** Tells whether other work is wanted instead. */
+        boolean isObsolete();
+
+        /** Tells whether the person has cancelled it. */
+        boolean isCancelled();
+
+        /** Takes the run as far as it has come. */
+        void publish(Run run, List<Simulation.Control> controls);
+
+        /** Takes how far the work has come. */
+        void report(long done, double share);
+    }
+
+    /** Makes the work of an engine at its beginning, and of those that {@code fresh} starts of the same task. */
+    Simulating(Simulation engine, Supplier<Simulation> fresh) {
+        this.fresh = fresh;
+        this.engine = engine;
+    }
+
+    /** Returns what the person wants. */
+    Steering steering() {
+        return steering;
+    }
+
+    /** Returns the engine as it is now. */
+    Simulation engine() {
+        return engine;
+    }
+
+    /**
+     * Works until the task has ended and nothing is held, or until it is not wanted any more; tells whether it is
+     * still wanted. May be called again when something is asked for after the end.
+     */
+    boolean work(Watcher watcher) throws InterruptedException {
+        working = true;
+        try {
+            return loop(watcher);
+        } finally {
+            working = false;
+        }
+    }
+
+    /** Tells whether it is at work, so that what is asked for will be done. */
+    boolean isWorking() {
+        return working;
+    }
+
+    private boolean loop(Watcher watcher) throws InterruptedException {
+        long told = System.nanoTime() - PUBLISH_NANOS;
+        boolean news = true;
+        while (!watcher.isObsolete()) {
+            if (watcher.isCancelled()) {
+                engine.cancel();
+                watcher.publish(engine.run(), engine.controls());
+                return true;
+            }
+            news |= obey(watcher);
+            boolean on = engine.outcome().isRunning() && engine.progress().work() < steering.limit();
+            if (on) {
+                advance();
+                news = true;
+            }
+            if (news && (!on || System.nanoTime() - told >= PUBLISH_NANOS)) {
+                told = System.nanoTime();
+                news = false;
+                watcher.publish(engine.run(), engine.controls());
+            }
+            watcher.report(engine.progress().work(), engine.progress().share());
+            if (!engine.outcome().isRunning() && steering.isIdle()) {
+                working = false;
+                if (steering.isIdle()) {
+                    return true;
+                }
+                working = true;
+            }
+            if (!on) {
+                long reach = engine.outcome().isRunning() ? engine.progress().work() : Steering.NONE;
+                steering.await(reach, WAIT_MS);
+            }
+        }
+        engine.cancel();
+        return false;
+    }
+
+    /** Steps for a moment, one step at least, never past the limit. */
+    private void advance() {
+        long begin = System.nanoTime();
+        do {
+            engine.step(1);
+        } while (engine.outcome().isRunning()
+                && engine.progress().work() < steering.limit()
+                && System.nanoTime() - begin < SLICE_NANOS);
+    }
+
+    /** Does what was asked for; tells whether the run has become another. */
+    private boolean obey(Watcher watcher) {
+        Steering.Orders orders = steering.take();
+        boolean cut = engine.outcome().equals(Outcome.CANCELLED) && orders.back() != Steering.NONE;
+        boolean rewound = cut || orders.back() < engine.progress().work();
+        if (rewound) {
+            rewind(orders.back(), watcher);
+        }
+        long step = engine.progress().work();
+        orders.values().forEach((key, value) -> {
+            if (engine.outcome().isRunning()) {
+                engine.give(new Run.Input(step, key, value));
+            }
+        });
+        return rewound;
+    }
+
+    private void rewind(long step, Watcher watcher) {
+        List<Run.Input> kept = engine.run().inputs().stream()
+                .filter(input -> input.step() < step)
+                .toList();
+        engine = fresh.get();
+        kept.forEach(engine::give);
+        while (engine.progress().work() < step
+                && engine.outcome().isRunning()
+                && !watcher.isObsolete()
+                && !watcher.isCancelled()) {
+            engine.step(1);
+        }
+    }
+}
