@@ -8,6 +8,8 @@ import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
+import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Executor;
@@ -36,6 +38,8 @@ import troupe.app.panel.StatusBar;
 import troupe.app.panel.TimelinePanel;
 import troupe.app.panel.ToolStrip;
 import troupe.app.play.Playback;
+import troupe.app.recovery.KeptFiles;
+import troupe.app.recovery.Recovery;
 import troupe.app.session.Session;
 import troupe.app.settings.StudioSettings;
 import troupe.app.tool.Hits;
@@ -59,6 +63,7 @@ final class StudioWindow {
     private final Timer clock;
     private final PlayKey playKey;
     private final Pages pages;
+    private final Recovery recovery;
     private long ticked;
     private Look look;
     private Content content;
@@ -96,6 +101,8 @@ final class StudioWindow {
         });
         session.playback().listeners().add(this::runClock);
         pages = new Pages(this, settings, eventThread);
+        recovery =
+                new Recovery(session, new KeptFiles(settings.recoveryFolder()), eventThread, look.theme(), this::offer);
         frame.setTransferHandler(new SceneDrop(pages::open));
         build();
         playKey = new PlayKey(
@@ -112,6 +119,13 @@ final class StudioWindow {
         frame.setLocationRelativeTo(null);
         frame.setVisible(true);
         content.canvas().requestFocusInWindow();
+        List<Path> known = new ArrayList<>(settings.recent());
+        session.document().file().ifPresent(known::add);
+        recovery.look(known);
+    }
+
+    private void offer(Recovery.Offer offer) {
+        RecoveryQuestion.ask(this, recovery, offer);
     }
 
     /** Returns the frame. */
@@ -356,6 +370,7 @@ final class StudioWindow {
         clock.stop();
         playKey.close();
         pages.close();
+        recovery.close();
         dispose(content);
         session.close();
         frame.dispose();

@@ -45,13 +45,23 @@ final class StudioFixture implements AutoCloseable {
     private final StudioWindow window;
 
     StudioFixture(Path folder) throws IOException, SceneException, AWTException {
+        this(folder, Files.copy(Path.of(Studio.DEFAULT_SCENE), folder.resolve("courtyard.xml")), Map.of());
+        click(window.canvas(), window.canvas().getWidth() - 3, window.canvas().getHeight() - 60);
+        Await.until("the canvas has the focus", () -> window.canvas().isFocusOwner());
+    }
+
+    /** Opens a file with settings; unsaved edits of documents without a file are kept in a folder in {@code folder}. */
+    StudioFixture(Path folder, Path scenes, Map<String, String> chosen)
+            throws IOException, SceneException, AWTException {
         robot = new Robot();
         robot.setAutoDelay(12);
-        file = Files.copy(Path.of(Studio.DEFAULT_SCENE), folder.resolve("courtyard.xml"));
+        file = scenes;
         Scene scene = SceneXml.read(file).scene();
+        settings.put("language", "en");
+        settings.put("recovery", folder.resolve("recovery").toString());
+        settings.putAll(chosen);
         window = OnEventThread.get(() -> {
             RepaintManager.setCurrentManager(guard);
-            settings.put("language", "en");
             Session session =
                     new Session(new SceneDocument(scene, Optional.of(file)), STEPS, FILES, EventQueue::invokeLater);
             StudioWindow made = new StudioWindow(
@@ -64,8 +74,6 @@ final class StudioFixture implements AutoCloseable {
                 "the window is there",
                 () -> window.canvas().isShowing() && window.canvas().getWidth() > 0);
         awaitPlan();
-        click(window.canvas(), window.canvas().getWidth() - 3, window.canvas().getHeight() - 60);
-        Await.until("the canvas has the focus", () -> window.canvas().isFocusOwner());
     }
 
     private static final SceneFiles FILES = new SceneFiles() {

@@ -31,6 +31,7 @@ public final class StudioSettings {
     private static final String SNAPPING = "snapping";
     private static final String OPENING = "opening";
     private static final String FILES = "recent";
+    private static final String RECOVERY = "recovery";
 
     private final BinaryOperator<String> read;
     private final BiConsumer<String, String> write;
@@ -145,6 +146,12 @@ public final class StudioSettings {
             }
         }
         return files;
+    }
+
+    /** Returns the folder in which the unsaved edits of documents without a file are kept. */
+    public Path recoveryFolder() {
+        Path usual = Path.of(System.getProperty("user.home"), ".troupe", "recovery");
+        return Path.of(read.apply(RECOVERY, usual.toString()));
     }
 
     /** Remembers a file as the last one; the oldest beyond {@value #RECENT} are forgotten. */
