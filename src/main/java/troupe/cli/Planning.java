@@ -4,11 +4,13 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.function.Consumer;
 import troupe.run.Digest;
 import troupe.run.Engine;
 import troupe.run.Json;
 import troupe.run.Report;
 import troupe.run.Run;
+import troupe.run.RunJournal;
 import troupe.run.Simulation;
 import troupe.scene.Scene;
 import troupe.search.Outcome;
@@ -17,7 +19,7 @@ import troupe.work.Tasks;
 /** Plans a task under a progress bar, and says what came of it. */
 final class Planning {
     private static final long SLICE = 5_000;
-    private static final long STEPS = 25;
+    private static final long STEPS = 5;
     private static final List<String> STABLE_KEYS =
             List.of("solved", "energy", "cost", "length", "abilities", "moved", "expanded", "times_ms");
 
@@ -30,10 +32,16 @@ final class Planning {
 
     /** Works until an engine has ended, or the person interrupts. */
     static Run plan(Engine engine, Terminal terminal, boolean quiet) {
+        return plan(engine, terminal, quiet, worked -> {});
+    }
+
+    /** Works until an engine has ended, or the person interrupts, and tells {@code after} about each slice of work. */
+    static Run plan(Engine engine, Terminal terminal, boolean quiet, Consumer<Engine> after) {
         long slice = engine instanceof Simulation ? STEPS : SLICE;
         try (ProgressBar bar = new ProgressBar(terminal.err(), terminal.interactive() && !quiet, System::nanoTime)) {
             while (engine.step(slice).isRunning()) {
                 bar.show(engine.progress());
+                after.accept(engine);
                 if (terminal.interrupted().getAsBoolean()) {
                     engine.cancel();
                 }
@@ -69,6 +77,14 @@ final class Planning {
 
     /** Returns what came of a run in a few words. */
     static String summary(Run run) {
+        if (RunJournal.recovered(run)) {
+            return String.format(
+                    Locale.ROOT,
+                    "%s: recovered, %,d of ? frames, %.2f s",
+                    run.task(),
+                    run.frames().count(),
+                    run.frames().duration());
+        }
         if (run.outcome() instanceof Outcome.Infeasible infeasible) {
             return run.task() + ": no solution: " + infeasible.reason();
         }

@@ -21,7 +21,7 @@ final class ReplayCommand implements Command {
 
     @Override
     public String usage() {
-        return "FILE.run [--verify] [--at T --png FILE [--view solid]] [--json]";
+        return "FILE.run [--verify] [--at T --png FILE [--view solid]] [-o FILE.run] [--json]";
     }
 
     @Override
@@ -37,7 +37,15 @@ final class ReplayCommand implements Command {
                 Option.of("--png", "FILE", "draws a picture, - for standard output"),
                 Pictures.VIEW,
                 Pictures.TURN,
+                Option.of("-o", "FILE.run", "saves the run, one recovered from a journal too; - for standard output"),
                 Option.flag("--json", "prints the report as one JSON object"));
+    }
+
+    @Override
+    public List<String> notes() {
+        return List.of(
+                "FILE.run may be FILE.run.journal, which a simulation leaves that was cut off: all frames up to",
+                "its last second are there. It is not removed.");
     }
 
     @Override
@@ -61,6 +69,15 @@ final class ReplayCommand implements Command {
         if (arguments.has("--png")) {
             double time = at.orElse(run.frames().duration());
             Pictures.write(run, time, settings, arguments.needed("--png", "FILE"), terminal);
+        }
+        Optional<String> target = arguments.value("-o");
+        if (target.isPresent() && target.get().equals("-")) {
+            RunFile.write(run, terminal.out());
+            terminal.out().flush();
+            return CommandLine.OK;
+        }
+        if (target.isPresent()) {
+            RunFile.write(run, Arguments.path(target.get()));
         }
         if (arguments.has("--verify")) {
             return verify(run, terminal);

@@ -1,13 +1,16 @@
 package troupe.cli;
 
 import java.io.IOException;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import troupe.run.Engine;
 import troupe.run.Run;
 import troupe.run.RunFile;
 import troupe.scene.Scene;
 import troupe.scene.SceneException;
 import troupe.scene.SceneSource;
+import troupe.work.Tasks;
 
 /** Plans a task of a scene. */
 final class RunCommand implements Command {
@@ -42,7 +45,8 @@ final class RunCommand implements Command {
     public List<String> notes() {
         return List.of(
                 "SCENE is a file, or - for standard input. Exit code 1: there is no solution, or it was not",
-                "found within limit.expansions. Ctrl-C ends the work and keeps what is complete.");
+                "found within limit.expansions. Ctrl-C ends the work and keeps what is complete. While a",
+                "simulation works, FILE.run.journal keeps its frames: troupe replay opens it after a crash.");
     }
 
     @Override
@@ -58,14 +62,18 @@ final class RunCommand implements Command {
         if (SceneFiles.refused(new SceneSource(scene, source.lines()), word, terminal)) {
             return CommandLine.BAD_INPUT;
         }
-        Run run = Planning.plan(scene, task, terminal, arguments.has("--quiet"));
         Optional<String> file = arguments.value("-o");
         boolean piped = file.isPresent() && file.get().equals("-");
+        Engine engine = Tasks.start(scene, task);
+        Run run;
+        if (file.isPresent() && !piped) {
+            run = kept(engine, Arguments.path(file.get()), arguments, terminal);
+        } else {
+            run = Planning.plan(engine, terminal, arguments.has("--quiet"));
+        }
         if (piped) {
             RunFile.write(run, terminal.out());
             terminal.out().flush();
-        } else if (file.isPresent()) {
-            RunFile.write(run, Arguments.path(file.get()));
         }
         if (arguments.has("--json")) {
             (piped ? terminal.err() : terminal.out()).println(Planning.json(run));
@@ -73,5 +81,15 @@ final class RunCommand implements Command {
             (piped ? terminal.err() : terminal.out()).println(Planning.summary(run));
         }
         return run.outcome().isFound() ? CommandLine.OK : CommandLine.FAILED;
+    }
+
+    /** Plans, keeping a journal beside the file until the whole run is in its place. */
+    private static Run kept(Engine engine, Path file, Arguments arguments, Terminal terminal) throws IOException {
+        try (Journalling journal = new Journalling(file, terminal)) {
+            Run run = Planning.plan(engine, terminal, arguments.has("--quiet"), journal);
+            RunFile.write(run, file);
+            journal.discard();
+            return run;
+        }
     }
 }

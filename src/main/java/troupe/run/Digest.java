@@ -51,7 +51,8 @@ public final class Digest {
         return digest;
     }
 
-    private static MessageDigest sha256() {
+    /** Begins an empty SHA-256. */
+    static MessageDigest sha256() {
         try {
             return MessageDigest.getInstance("SHA-256");
         } catch (NoSuchAlgorithmException e) {

@@ -118,14 +118,19 @@ public final class RunFile {
     }
 
     /**
-     * Reads a run and checks every part of it.
+     * Reads a run and checks every part of it; of a journal ({@link RunJournal}) all frames that are whole.
      *
      * @throws RunException if the file is damaged or no run file; the message begins with the file's name
      * @throws IOException if the file is not there or cannot be opened
      */
     public static Run read(Path file) throws RunException, IOException {
-        try (RunArchive archive = new RunArchive(file)) {
-            return read(archive, file);
+        try {
+            if (JournalReader.isJournal(file)) {
+                return JournalReader.read(file);
+            }
+            try (RunArchive archive = new RunArchive(file)) {
+                return read(archive, file);
+            }
         } catch (RunException e) {
             throw new RunException(file.getFileName() + ": " + e.getMessage(), e);
         }
@@ -135,6 +140,19 @@ public final class RunFile {
         RunManifest manifest = RunXmlReader.read(archive.read("run.xml", MAX_MANIFEST));
         byte[] xml = archive.read("scene.xml", MAX_SCENE, manifest.sceneHash());
         Frames frames = frames(archive, file, manifest);
+        Scene scene = scene(xml, manifest);
+        return new Run(
+                scene,
+                manifest.task(),
+                manifest.outcome(),
+                manifest.report(),
+                frames,
+                manifest.legs(),
+                manifest.inputs());
+    }
+
+    /** Reads the scene and checks that it is the one of the manifest. */
+    static Scene scene(byte[] xml, RunManifest manifest) throws RunException, IOException {
         Scene scene = scene(xml);
         if (scene.task(manifest.task()).isEmpty()) {
             throw new RunException("scene.xml lacks the task '" + RunXmlReader.oneLine(manifest.task()) + "'");
@@ -144,14 +162,18 @@ public final class RunFile {
                 .containsAll(manifest.settings().entrySet())) {
             throw new RunException("the settings in run.xml are not those of scene.xml");
         }
-        return new Run(
-                scene,
-                manifest.task(),
-                manifest.outcome(),
-                manifest.report(),
-                frames,
-                manifest.legs(),
-                manifest.inputs());
+        return scene;
+    }
+
+    /** Lays the channels of a manifest out and checks their size. */
+    static FrameLayout layout(RunManifest manifest) throws RunException {
+        try {
+            FrameLayout layout = new FrameLayout(manifest.channels());
+            FrameRecorder.checkedBlock(manifest.rate(), layout);
+            return layout;
+        } catch (IllegalArgumentException e) {
+            throw new RunException("run.xml: " + e.getMessage(), e);
+        }
     }
 
     /** Reads the scene and refuses one that could not be planned, so that whoever plans it again need not check it. */
@@ -171,14 +193,8 @@ public final class RunFile {
     }
 
     private static Frames frames(RunArchive archive, Path file, RunManifest manifest) throws RunException {
-        FrameLayout layout;
-        int block;
-        try {
-            layout = new FrameLayout(manifest.channels());
-            block = FrameRecorder.checkedBlock(manifest.rate(), layout);
-        } catch (IllegalArgumentException e) {
-            throw new RunException("run.xml: " + e.getMessage(), e);
-        }
+        FrameLayout layout = layout(manifest);
+        int block = FrameRecorder.framesPerBlock(manifest.rate());
         int parts = (int) (((long) manifest.count() + block - 1) / block);
         if (manifest.partHashes().size() != parts || archive.size() != parts + 2) {
             throw new RunException(manifest.count() + " frames need " + parts + " parts; run.xml lists "
