@@ -24,6 +24,7 @@ import troupe.app.plan.PlanningSteps;
 import troupe.app.session.SceneFiles;
 import troupe.app.session.Session;
 import troupe.geometry.Pose;
+import troupe.grid.region.Groundworks;
 import troupe.run.Engine;
 import troupe.run.Overlay;
 import troupe.scene.Obstacle;
@@ -72,7 +73,7 @@ public class DragBench {
         obstacle = scene.obstacle(words[1]).orElseThrow();
         EventQueue.invokeAndWait(() -> {
             session = new Session(
-                    new SceneDocument(scene, Optional.empty()), new Steps(views), NO_FILES, EventQueue::invokeLater);
+                    new SceneDocument(scene, Optional.empty()), new Steps(views, new Groundworks()), NO_FILES, EventQueue::invokeLater);
             session.plans().add(told::add);
         });
     }
@@ -111,7 +112,7 @@ public class DragBench {
     };
 
     /** The steps of the studio. */
-    private record Steps(boolean views) implements PlanningSteps {
+    private record Steps(boolean views, Groundworks kept) implements PlanningSteps {
         @Override
         public List<Problem> check(Scene checked) {
             return SceneChecks.check(checked);
@@ -124,7 +125,7 @@ public class DragBench {
 
         @Override
         public Engine start(Scene planned, String task) {
-            return Tasks.start(planned, task);
+            return Tasks.start(planned, task, kept);
         }
 
         @Override

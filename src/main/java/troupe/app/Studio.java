@@ -17,6 +17,7 @@ import troupe.app.session.SceneFiles;
 import troupe.app.session.Session;
 import troupe.app.settings.Opening;
 import troupe.app.settings.StudioSettings;
+import troupe.grid.region.Groundworks;
 import troupe.run.Engine;
 import troupe.run.GridOverlays;
 import troupe.run.Overlay;
@@ -58,7 +59,7 @@ public final class Studio {
         Scene read = file.isPresent() ? FILES.read(file.get()) : builtIn();
         EventQueue.invokeLater(() -> {
             scene.ifPresent(settings::addRecent);
-            Session session = new Session(new SceneDocument(read, file), STEPS, FILES, EventQueue::invokeLater);
+            Session session = new Session(new SceneDocument(read, file), new Steps(), FILES, EventQueue::invokeLater);
             StudioWindow window = new StudioWindow(session, settings, EventQueue::invokeLater);
             window.open();
             if (page) {
@@ -105,8 +106,10 @@ public final class Studio {
         }
     };
 
-    /** Starts tasks and checks as the command line does. */
-    static final PlanningSteps STEPS = new PlanningSteps() {
+    /** Starts tasks and checks as the command line does; plans while something is dragged share what they can. */
+    static final class Steps implements PlanningSteps {
+        private final Groundworks kept = new Groundworks();
+
         @Override
         public List<Problem> check(Scene scene) {
             return SceneChecks.check(scene);
@@ -119,7 +122,7 @@ public final class Studio {
 
         @Override
         public Engine start(Scene scene, String task) {
-            return Tasks.start(scene, task);
+            return Tasks.start(scene, task, kept);
         }
 
         @Override
@@ -134,5 +137,5 @@ public final class Studio {
             Fields.of(scene, task, missing).overlays().forEach(all::addAll);
             return all;
         }
-    };
+    }
 }

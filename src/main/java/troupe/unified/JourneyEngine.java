@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import troupe.grid.GridLimitException;
+import troupe.grid.region.Groundworks;
 import troupe.grid.region.Region;
 import troupe.run.Aspect;
 import troupe.run.Engine;
@@ -45,13 +46,13 @@ public final class JourneyEngine implements Engine {
     private Motion.Recorded motion;
     private long trials;
 
-    private JourneyEngine(Scene scene, Journey journey, Actor actor) {
+    private JourneyEngine(Scene scene, Journey journey, Actor actor, Groundworks kept) {
         this.scene = scene;
         this.journey = journey;
         this.actor = actor;
         this.costs =
                 new JourneyCosts(actor, journey.preferences(), scene.world().cell());
-        this.prepared = new Preparation(scene, journey, actor, times);
+        this.prepared = new Preparation(scene, journey, actor, times, kept);
         this.motion = new Motion.Recorded(
                 new FrameRecorder(Motion.RATE, Motion.channels(actor.id(), List.of())).frames(), List.of());
     }
@@ -62,10 +63,21 @@ public final class JourneyEngine implements Engine {
      * @throws IllegalArgumentException if the scene lacks the actor, or the preferences take away walking
      */
     public static JourneyEngine of(Scene scene, Journey journey) {
+        return of(scene, journey, new Groundworks());
+    }
+
+    /**
+     * Prepares a journey of a scene that shares what other plans have made of the same scene with its movable obstacles
+     * elsewhere. The result is the same.
+     *
+     * @param kept what other plans have made
+     * @throws IllegalArgumentException if the scene lacks the actor, or the preferences take away walking
+     */
+    public static JourneyEngine of(Scene scene, Journey journey, Groundworks kept) {
         Actor whole = scene.actor(journey.actor())
                 .orElseThrow(() -> new IllegalArgumentException("journey '" + journey.id() + "' is of the actor '"
                         + journey.actor() + "'; needs the id of an actor of the scene"));
-        return new JourneyEngine(scene, journey, whole.under(journey.preferences()));
+        return new JourneyEngine(scene, journey, whole.under(journey.preferences()), kept);
     }
 
     @Override

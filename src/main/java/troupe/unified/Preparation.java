@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import troupe.grid.field.Nf2;
 import troupe.grid.layer.Layers;
+import troupe.grid.region.Groundworks;
 import troupe.grid.region.Region;
 import troupe.grid.region.RegionBuilder;
 import troupe.scene.Actor;
@@ -26,6 +27,7 @@ final class Preparation {
     private final Journey journey;
     private final Actor actor;
     private final StageTimes times;
+    private final Groundworks kept;
     private final List<Movable> movables;
 
     private Layers layers;
@@ -40,12 +42,14 @@ final class Preparation {
      * Does nothing yet.
      *
      * @param actor the actor of the journey, already without the abilities that preferences switch off
+     * @param kept what other plans have made that may fit this one
      */
-    Preparation(Scene scene, Journey journey, Actor actor, StageTimes times) {
+    Preparation(Scene scene, Journey journey, Actor actor, StageTimes times, Groundworks kept) {
         this.scene = scene;
         this.journey = journey;
         this.actor = actor;
         this.times = times;
+        this.kept = kept;
         this.movables = actor.move().isPresent() ? Movable.of(scene, journey.headings()) : List.of();
     }
 
@@ -55,9 +59,12 @@ final class Preparation {
      * @throws troupe.grid.GridLimitException if the scene is too much for the grid
      */
     void build() {
-        RegionBuilder builder = new RegionBuilder(scene, actor);
+        RegionBuilder builder = new RegionBuilder(scene, actor, kept.of(scene, actor));
         times.measure(StageTimes.LAYERS, () -> layers = builder.layers());
         times.measure(StageTimes.REGION, () -> {
+            if (!movables.isEmpty()) {
+                builder.buildBoth();
+            }
             region = builder.region();
             widest = movables.isEmpty() ? region : builder.widest();
         });

@@ -14,6 +14,7 @@ import troupe.geometry.Polygon;
 import troupe.grid.GridFrame;
 import troupe.grid.GridLimitException;
 import troupe.grid.region.Reach;
+import troupe.grid.region.Groundworks;
 import troupe.grid.region.Region;
 import troupe.scene.Ability;
 import troupe.scene.Actor;
@@ -258,7 +259,7 @@ final class Separation {
     /** Tells whether a search finds a way after a change. */
     private boolean leads(Scene changed, Actor equipped) {
         Journey trial = journey.with(Ordering.OPTIMAL);
-        Preparation other = new Preparation(changed, trial, equipped, new StageTimes());
+        Preparation other = new Preparation(changed, trial, equipped, new StageTimes(), new Groundworks());
         try {
             other.build();
         } catch (GridLimitException tooMuch) {

@@ -1,8 +1,8 @@
 package troupe.work;
 
 import java.util.List;
-import java.util.function.BiFunction;
 import troupe.crowd.CrowdEngine;
+import troupe.grid.region.Groundworks;
 import troupe.risk.EncounterEngine;
 import troupe.run.Engine;
 import troupe.run.Run;
@@ -19,14 +19,19 @@ import troupe.unified.JourneyEngine;
 public final class Tasks {
     private static final List<Kind<?>> KINDS = List.of(
             new Kind<>(Journey.class, JourneyEngine::of),
-            new Kind<>(Encounter.class, EncounterEngine::of),
-            new Kind<>(Crowd.class, CrowdEngine::of));
+            new Kind<>(Encounter.class, (scene, task, kept) -> EncounterEngine.of(scene, task)),
+            new Kind<>(Crowd.class, (scene, task, kept) -> CrowdEngine.of(scene, task)));
 
     /** A kind of task and what starts it. */
-    private record Kind<T extends Task>(Class<T> type, BiFunction<Scene, T, Engine> starter) {
-        Engine start(Scene scene, Task task) {
-            return starter.apply(scene, type.cast(task));
+    private record Kind<T extends Task>(Class<T> type, Starter<T> starter) {
+        Engine start(Scene scene, Task task, Groundworks kept) {
+            return starter.start(scene, type.cast(task), kept);
         }
+    }
+
+    /** Starts tasks of one kind. */
+    private interface Starter<T extends Task> {
+        Engine start(Scene scene, T task, Groundworks kept);
     }
 
     private Tasks() {}
@@ -37,12 +42,24 @@ public final class Tasks {
      * @throws IllegalArgumentException if the scene has no such task
      */
     public static Engine start(Scene scene, String id) {
+        return start(scene, id, new Groundworks());
+    }
+
+    /**
+     * Starts a task that shares what tasks started before have made of the same scene with its movable obstacles
+     * elsewhere: while one is dragged, this saves a part of each plan. The result is the same. Nothing is computed before the
+     * engine's first step.
+     *
+     * @param kept what the tasks that were given it have made
+     * @throws IllegalArgumentException if the scene has no such task
+     */
+    public static Engine start(Scene scene, String id, Groundworks kept) {
         Task task = scene.task(id)
                 .orElseThrow(
                         () -> new IllegalArgumentException("unknown task '" + id + "'; the scene has " + ids(scene)));
         for (Kind<?> kind : KINDS) {
             if (kind.type().isInstance(task)) {
-                return kind.start(scene, task);
+                return kind.start(scene, task, kept);
             }
         }
         throw new IllegalStateException("no planner is registered for tasks of kind " + task.kind());

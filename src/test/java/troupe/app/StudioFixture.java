@@ -91,28 +91,30 @@ final class StudioFixture implements AutoCloseable {
     };
 
     private static final PlanningSteps STEPS = new PlanningSteps() {
+        private final PlanningSteps steps = new Studio.Steps();
+
         @Override
         public List<Problem> check(Scene scene) {
             assertFalse(EventQueue.isDispatchThread());
-            return Studio.STEPS.check(scene);
+            return steps.check(scene);
         }
 
         @Override
         public List<Problem> inspect(Scene scene) {
             assertFalse(EventQueue.isDispatchThread());
-            return Studio.STEPS.inspect(scene);
+            return steps.inspect(scene);
         }
 
         @Override
         public Engine start(Scene scene, String task) {
             assertFalse(EventQueue.isDispatchThread());
-            return Studio.STEPS.start(scene, task);
+            return steps.start(scene, task);
         }
 
         @Override
         public List<Overlay> overlays(Scene scene, String task, Engine engine, List<Integer> chosen) {
             assertFalse(EventQueue.isDispatchThread());
-            return Studio.STEPS.overlays(scene, task, engine, chosen);
+            return steps.overlays(scene, task, engine, chosen);
         }
     };
 

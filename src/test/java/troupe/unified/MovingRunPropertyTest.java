@@ -113,6 +113,7 @@ class MovingRunPropertyTest {
                 }
                 assertEquals(whole.outcome(), bit.outcome(), which);
                 assertEquals(Digest.of(whole.frames()), Digest.of(bit.run().frames()), which);
+                assertEquals(RunCheck.untimed(whole), RunCheck.untimed(bit.run()), which);
                 assertEquals(costs.get(0), costs.get(costs.size() - 1), 1e-9, which);
             }
         });

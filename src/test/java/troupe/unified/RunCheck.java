@@ -3,6 +3,8 @@ package troupe.unified;
 import static org.junit.jupiter.api.Assertions.fail;
 
 import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
 import troupe.geometry.Polygon;
 import troupe.run.Frames;
 import troupe.run.Run;
@@ -231,5 +233,12 @@ final class RunCheck {
 
     private String at(int f, double x, double y, double z) {
         return which + ", frame " + f + " at (" + x + ", " + y + ", " + z + ")";
+    }
+
+    /** Returns what the report of a run tells, without the times. */
+    static Map<String, Object> untimed(Run run) {
+        Map<String, Object> values = new TreeMap<>(run.report().values());
+        values.remove("times_ms");
+        return values;
     }
 }

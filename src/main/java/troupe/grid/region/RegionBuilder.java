@@ -1,7 +1,7 @@
 package troupe.grid.region;
 
-import troupe.grid.GridFrame;
-import troupe.grid.layer.Columns;
+import java.util.concurrent.ForkJoinPool;
+import java.util.concurrent.ForkJoinTask;
 import troupe.grid.layer.Layers;
 import troupe.grid.layer.Spans;
 import troupe.scene.Ability;
@@ -19,42 +19,39 @@ import troupe.scene.Scene;
 public final class RegionBuilder {
     private final Scene scene;
     private final Actor actor;
-    private final GridFrame frame;
-    private Columns columns;
-    private Spans spans;
-    private Layers layers;
+    private final Groundwork groundwork;
     private Structure structure;
     private Region region;
     private Region widest;
 
     /** Makes a builder for an actor that has already lost the abilities which preferences switch off. */
     public RegionBuilder(Scene scene, Actor actor) {
+        this(scene, actor, new Groundwork(scene, actor));
+    }
+
+    /**
+     * Makes a builder that shares what does not depend on where movable obstacles stand. What it builds is the same.
+     *
+     * @throws IllegalArgumentException if the groundwork does not fit the scene and the actor
+     */
+    public RegionBuilder(Scene scene, Actor actor, Groundwork groundwork) {
+        if (!groundwork.fits(scene, actor)) {
+            throw new IllegalArgumentException("the groundwork is of another scene or actor than '" + actor.id()
+                    + "'; only movable obstacles may stand elsewhere");
+        }
         this.scene = scene;
         this.actor = actor;
-        this.frame = GridFrame.of(scene.world());
+        this.groundwork = groundwork;
     }
 
     /** Finds the spans of the scene. Cost O(cells + edges). */
     public Spans spans() {
-        if (spans == null) {
-            columns = new Columns(frame, scene);
-            spans = new Spans(frame, columns, smallestBody());
-        }
-        return spans;
+        return groundwork.spans();
     }
 
     /** Numbers the layers of the spans. Cost O(spans). */
     public Layers layers() {
-        if (layers == null) {
-            layers = new Layers(spans(), actor.stepHeight(), smallestBody());
-        }
-        return layers;
-    }
-
-    private double smallestBody() {
-        return actor.vault()
-                .map(v -> Math.min(v.bodyHeight(), actor.bodyHeight()))
-                .orElse(actor.bodyHeight());
+        return groundwork.layers();
     }
 
     /** Classifies every configuration, movable obstacles at their own places. Cost O(cells + edges). */
@@ -67,10 +64,28 @@ public final class RegionBuilder {
 
     private Structure structure() {
         if (structure == null) {
-            spans();
-            structure = new Structure(scene, actor, columns, spans);
+            structure = groundwork.structure(scene);
         }
         return structure;
+    }
+
+    /**
+     * Builds {@link #region} and {@link #widest} side by side, the latter on another thread if there is one to spare;
+     * what they are does not depend on it.
+     */
+    public void buildBoth() {
+        structure();
+        if (isWidened() && widest == null) {
+            ForkJoinTask<Region> other = ForkJoinPool.commonPool().submit(groundwork::widest);
+            region();
+            widest = other.join();
+        }
+        region();
+    }
+
+    /** Tells whether the actor can move something that the scene has to be moved. */
+    private boolean isWidened() {
+        return actor.move().isPresent() && scene.obstacles().stream().anyMatch(Obstacle::movable);
     }
 
     /**
@@ -84,9 +99,7 @@ public final class RegionBuilder {
      */
     public Region widest() {
         if (widest == null) {
-            widest = actor.move().isPresent() && scene.obstacles().stream().anyMatch(Obstacle::movable)
-                    ? Region.widest(structure())
-                    : region();
+            widest = isWidened() ? groundwork.widest() : region();
         }
         return widest;
     }

@@ -49,6 +49,22 @@ final class Structure {
         }
     }
 
+    private Structure(Structure other, Scene scene) {
+        this.scene = scene;
+        this.actor = other.actor;
+        this.columns = other.columns;
+        this.spans = other.spans;
+        this.immovable = other.immovable;
+        this.standing = other.standing;
+        this.fixed = other.fixed;
+        this.survey = other.survey;
+    }
+
+    /** Returns the same for a scene that differs in the outlines of movable obstacles only. */
+    Structure of(Scene moved) {
+        return new Structure(this, moved);
+    }
+
     /** Tells whether the actor can stride or vault at all; only then there are {@link #fixed} and {@link #survey}. */
     boolean crosses() {
         return actor.stride().isPresent() || actor.vault().isPresent();
