@@ -73,7 +73,10 @@ public class DragBench {
         obstacle = scene.obstacle(words[1]).orElseThrow();
         EventQueue.invokeAndWait(() -> {
             session = new Session(
-                    new SceneDocument(scene, Optional.empty()), new Steps(views, new Groundworks()), NO_FILES, EventQueue::invokeLater);
+                    new SceneDocument(scene, Optional.empty()),
+                    new Steps(views, new Groundworks()),
+                    NO_FILES,
+                    EventQueue::invokeLater);
             session.plans().add(told::add);
         });
     }
