@@ -27,7 +27,10 @@ final class DoomedStudio {
         Map<String, String> settings = new HashMap<>(Map.of("language", "en", "recovery", arguments[1]));
         EventQueue.invokeLater(() -> {
             Session session = new Session(
-                    new SceneDocument(scene, Optional.of(file)), new Studio.Steps(), Studio.FILES, EventQueue::invokeLater);
+                    new SceneDocument(scene, Optional.of(file)),
+                    new Studio.Steps(),
+                    Studio.FILES,
+                    EventQueue::invokeLater);
             StudioWindow window = new StudioWindow(
                     session, new StudioSettings(settings::getOrDefault, settings::put), EventQueue::invokeLater);
             window.open();
