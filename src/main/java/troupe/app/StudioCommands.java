@@ -17,6 +17,7 @@ import troupe.app.look.Texts;
 import troupe.app.play.Playback;
 import troupe.app.session.OverlayChoice;
 import troupe.app.session.Session;
+import troupe.app.solid.SolidMode;
 import troupe.app.tool.DrawBoxTool;
 import troupe.app.tool.DrawJourneyTool;
 import troupe.app.tool.DrawPolygonTool;
@@ -105,6 +106,11 @@ final class StudioCommands implements AutoCloseable {
         commands.addChoice("view", "outline", true, window::wantOutline);
         commands.addChoice("view", "inspector", true, window::wantInspector);
         commands.addChoice("view", "timeline", true, window::wantTimeline);
+        commands.separate();
+        for (SolidMode mode : List.of(SolidMode.INSET, SolidMode.BESIDE, SolidMode.ALONE)) {
+            commands.addChoice(
+                    "view", "solid." + mode.key(), false, on -> window.wantSolid(on ? mode : SolidMode.HIDDEN));
+        }
         commands.separate();
         commands.addChoice(
                 "view", "dark", look.theme() == Theme.DARK, on -> window.show(on ? Theme.DARK : Theme.LIGHT));

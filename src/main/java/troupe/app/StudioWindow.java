@@ -42,6 +42,10 @@ import troupe.app.recovery.KeptFiles;
 import troupe.app.recovery.Recovery;
 import troupe.app.session.Session;
 import troupe.app.settings.StudioSettings;
+import troupe.app.solid.Eye;
+import troupe.app.solid.SolidDeck;
+import troupe.app.solid.SolidMode;
+import troupe.app.solid.SolidView;
 import troupe.app.tool.Hits;
 import troupe.app.tool.Tool;
 import troupe.geometry.Box;
@@ -67,11 +71,14 @@ final class StudioWindow {
     private long ticked;
     private Look look;
     private Content content;
+    private Eye eye = Eye.DEFAULT;
     private Optional<Boolean> outlineWanted = Optional.empty();
 
     /** What is built for one look. */
     private record Content(
             Canvas canvas,
+            SolidView solid,
+            SolidDeck deck,
             Commands commands,
             List<Runnable> closing,
             OutlinePanel outline,
@@ -164,6 +171,7 @@ final class StudioWindow {
             view = content.canvas().isFitted()
                     ? Optional.empty()
                     : Optional.of(content.canvas().view());
+            eye = content.solid().eye();
             dispose(content);
         }
         SwingTheme.install(look);
@@ -171,6 +179,7 @@ final class StudioWindow {
         StudioCommands made = new StudioCommands(this, look, canvas);
         content = content(canvas, made);
         view.ifPresent(canvas::show);
+        showSolid(settings.solid());
         RecentMenu recent = new RecentMenu(look, settings::recent, pages::open);
         frame.setJMenuBar(new TopBar(look, session, made.commands(), recent, this::search));
         frame.revalidate();
@@ -210,15 +219,20 @@ final class StudioWindow {
                 status.hint(tool.message().isEmpty() ? look.text("tool." + tool.key() + ".hint") : tool.message());
         made.onTool(hint);
         canvas.gestures().add(hint);
+        SolidView solid = new SolidView(look, session, eye, eventThread);
+        SolidDeck deck = new SolidDeck(look, canvas, solid, () -> wantSolid(SolidMode.HIDDEN));
         JPanel all = new JPanel(new BorderLayout());
-        all.add(pages.around(body(made, outline, canvas, inspector, timeline)), BorderLayout.CENTER);
+        all.add(pages.around(body(made, outline, deck, inspector, timeline)), BorderLayout.CENTER);
         all.add(status, BorderLayout.SOUTH);
         frame.setContentPane(all);
         return new Content(
                 canvas,
+                solid,
+                deck,
                 commands,
                 List.of(
                         canvas::close,
+                        solid::close,
                         made::close,
                         outline::close,
                         inspector::close,
@@ -235,15 +249,14 @@ final class StudioWindow {
     private JComponent body(
             StudioCommands made,
             OutlinePanel outline,
-            Canvas canvas,
+            SolidDeck deck,
             InspectorPanel inspector,
             TimelinePanel timeline) {
-        JSplitPane right = ThinDivider.split(JSplitPane.HORIZONTAL_SPLIT, canvas, inspector, 1, look);
+        JSplitPane right = ThinDivider.split(JSplitPane.HORIZONTAL_SPLIT, deck, inspector, 1, look);
         JSplitPane both = ThinDivider.split(JSplitPane.HORIZONTAL_SPLIT, outline, right, 0, look);
         JPanel middle = new JPanel(new BorderLayout());
         middle.add(new ToolStrip(look, made.tools()), BorderLayout.WEST);
         middle.add(both, BorderLayout.CENTER);
-        canvas.setMinimumSize(new Dimension(300, 200));
         return ThinDivider.split(JSplitPane.VERTICAL_SPLIT, middle, timeline, 1, look);
     }
 
@@ -281,6 +294,21 @@ final class StudioWindow {
     /** Shows or hides the timeline. */
     void wantTimeline(boolean on) {
         show(content.timeline(), on);
+    }
+
+    /** Shows the view in three dimensions in another place, and remembers it. */
+    void wantSolid(SolidMode mode) {
+        settings.setSolid(mode);
+        showSolid(mode);
+    }
+
+    private void showSolid(SolidMode mode) {
+        content.deck().show(mode);
+        for (SolidMode each : SolidMode.values()) {
+            if (each != SolidMode.HIDDEN) {
+                content.commands().get("solid." + each.key()).setOn(each == mode);
+            }
+        }
     }
 
     private void showOutline() {

@@ -58,6 +58,7 @@ final class StudioFixture implements AutoCloseable {
         file = scenes;
         Scene scene = SceneXml.read(file).scene();
         settings.put("language", "en");
+        settings.put("solid", "hidden");
         settings.put("recovery", folder.resolve("recovery").toString());
         settings.putAll(chosen);
         window = OnEventThread.get(() -> {

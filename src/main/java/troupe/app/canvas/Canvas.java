@@ -61,6 +61,7 @@ public final class Canvas extends Drawn implements AutoCloseable {
     private final transient List<Runnable> leave = new ArrayList<>();
     private transient Viewport view = new Viewport(0, 0, 1);
     private boolean fitted = true;
+    private transient Dimension corner = new Dimension();
     private transient Tool tool;
     private transient Painters.Prepared prepared;
     private transient Scene painted;
@@ -167,7 +168,27 @@ public final class Canvas extends Drawn implements AutoCloseable {
     private Viewport fitting() {
         Scene scene = session.document().shown();
         Box world = new Box(0, 0, scene.world().width(), scene.world().depth());
-        return Viewport.fit(world, MARGIN, TOP, getWidth() - 2.0 * MARGIN, getHeight() - (double) TOP - BOTTOM);
+        double tall = getHeight() - (double) TOP - BOTTOM;
+        Viewport whole = Viewport.fit(world, MARGIN, TOP, getWidth() - 2.0 * MARGIN, tall);
+        double right = getWidth() - (double) corner.width;
+        boolean free = whole.px(world.maxX()) <= right || whole.py(world.maxY()) >= TOP + corner.height;
+        if (corner.width == 0 || free) {
+            return whole;
+        }
+        Viewport beside = Viewport.fit(world, MARGIN, TOP, right - MARGIN, tall);
+        Viewport below =
+                Viewport.fit(world, MARGIN, TOP + corner.height, getWidth() - 2.0 * MARGIN, tall - corner.height);
+        return beside.scale() >= below.scale() ? beside : below;
+    }
+
+    /** Leaves so many pixels of the upper right corner free of the scene while the whole of it is shown. */
+    public void leaveCorner(Dimension size) {
+        if (!corner.equals(size)) {
+            corner = size;
+            if (fitted) {
+                fit();
+            }
+        }
     }
 
     /** Tells whether the whole scene is shown, whatever the size of the window. */

@@ -11,6 +11,7 @@ import java.util.function.BinaryOperator;
 import java.util.prefs.BackingStoreException;
 import java.util.prefs.Preferences;
 import troupe.app.look.Texts;
+import troupe.app.solid.SolidMode;
 import troupe.paint.Theme;
 
 /**
@@ -30,6 +31,7 @@ public final class StudioSettings {
     private static final String LIVE = "live";
     private static final String SNAPPING = "snapping";
     private static final String OPENING = "opening";
+    private static final String SOLID = "solid";
     private static final String FILES = "recent";
     private static final String RECOVERY = "recovery";
 
@@ -79,6 +81,16 @@ public final class StudioSettings {
     /** Remembers a language. */
     public void setLanguage(Locale language) {
         write.accept(LANGUAGE, language.toLanguageTag());
+    }
+
+    /** Returns where the view in three dimensions is shown; in the corner if nothing was chosen. */
+    public SolidMode solid() {
+        return SolidMode.of(read.apply(SOLID, SolidMode.INSET.key()));
+    }
+
+    /** Remembers where the view in three dimensions is shown. */
+    public void setSolid(SolidMode mode) {
+        write.accept(SOLID, mode.key());
     }
 
     /** Returns how large everything is shown, in percent, one of {@link #SCALES}; 100 if nothing was chosen. */
