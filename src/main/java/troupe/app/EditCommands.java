@@ -1,5 +1,7 @@
 package troupe.app;
 
+import java.awt.EventQueue;
+import java.awt.Toolkit;
 import java.awt.event.ActionEvent;
 import java.util.ArrayList;
 import java.util.List;
@@ -11,6 +13,7 @@ import troupe.app.command.Commands;
 import troupe.app.document.SceneDocument;
 import troupe.app.document.SceneEdits;
 import troupe.app.look.Look;
+import troupe.app.session.SceneClipboard;
 import troupe.app.session.Session;
 import troupe.app.tool.Hits;
 import troupe.app.tool.Tool;
@@ -31,6 +34,7 @@ final class EditCommands implements AutoCloseable {
     private final Look look;
     private final Canvas canvas;
     private final Action undo = action(this::undo);
+    private final SceneClipboard clipboard;
     private final List<Runnable> leave = new ArrayList<>();
 
     EditCommands(Session session, Look look, Canvas canvas) {
@@ -38,6 +42,13 @@ final class EditCommands implements AutoCloseable {
         this.document = session.document();
         this.look = look;
         this.canvas = canvas;
+        this.clipboard = new SceneClipboard(
+                session,
+                () -> Toolkit.getDefaultToolkit().getSystemClipboard(),
+                Studio.TEXT,
+                look.texts(),
+                EventQueue::invokeLater);
+        leave.add(clipboard::close);
         leave.add(document.history().listeners().add(history -> followUndo()));
         leave.add(canvas.gestures().add(tool -> followUndo()));
         followUndo();
@@ -78,6 +89,15 @@ final class EditCommands implements AutoCloseable {
     void addHistory(Commands commands) {
         commands.add("edit", "undo", undo);
         commands.add("edit", "redo", document.history().redoAction());
+        commands.separate();
+    }
+
+    /** Adds cut, copy, paste and duplicate. */
+    void addClipboard(Commands commands) {
+        commands.add("edit", "cut", clipboard::cut);
+        commands.add("edit", "copy", clipboard::copy);
+        commands.add("edit", "paste", clipboard::paste);
+        commands.add("edit", "duplicate", clipboard::duplicate);
         commands.separate();
     }
 

@@ -1,8 +1,10 @@
 package troupe.app;
 
 import java.awt.EventQueue;
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -14,6 +16,7 @@ import java.util.stream.Collectors;
 import troupe.app.document.SceneDocument;
 import troupe.app.plan.PlanningSteps;
 import troupe.app.session.SceneFiles;
+import troupe.app.session.SceneText;
 import troupe.app.session.Session;
 import troupe.app.settings.Opening;
 import troupe.app.settings.StudioSettings;
@@ -103,6 +106,20 @@ public final class Studio {
         @Override
         public void write(Scene scene, Path file) throws IOException {
             SceneXml.write(scene, file);
+        }
+    };
+
+    /** Writes and reads parts of scenes as texts, for the clipboard. */
+    static final SceneText TEXT = new SceneText() {
+        @Override
+        public String write(Scene scene) {
+            return SceneXml.write(scene);
+        }
+
+        @Override
+        public Scene read(String text) throws SceneException, IOException {
+            InputStream stream = new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8));
+            return SceneXml.read(stream, "clipboard").scene();
         }
     };
 

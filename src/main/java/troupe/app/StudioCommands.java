@@ -53,6 +53,7 @@ final class StudioCommands implements AutoCloseable {
         addEdit();
         addView();
         addTools();
+        new ArrangeCommands(session, look).add(commands);
         addPlan();
         addRun();
         commands.add("help", "about", this::about);
@@ -91,6 +92,7 @@ final class StudioCommands implements AutoCloseable {
         EditCommands edits = new EditCommands(session, look, canvas);
         leave.add(edits::close);
         edits.addHistory(commands);
+        edits.addClipboard(commands);
         edits.addSelection(commands);
         commands.add("edit", "search", window::search);
     }
@@ -106,6 +108,7 @@ final class StudioCommands implements AutoCloseable {
         commands.addChoice("view", "outline", true, window::wantOutline);
         commands.addChoice("view", "inspector", true, window::wantInspector);
         commands.addChoice("view", "timeline", true, window::wantTimeline);
+        commands.addChoice("view", "history", window.wantsHistory(), window::wantHistory);
         commands.separate();
         for (SolidMode mode : List.of(SolidMode.INSET, SolidMode.BESIDE, SolidMode.ALONE)) {
             commands.addChoice(

@@ -32,6 +32,7 @@ import troupe.app.look.Texts;
 import troupe.app.look.ThinDivider;
 import troupe.app.panel.AspectBar;
 import troupe.app.panel.ChipBar;
+import troupe.app.panel.HistoryPanel;
 import troupe.app.panel.InspectorPanel;
 import troupe.app.panel.OutlinePanel;
 import troupe.app.panel.StatusBar;
@@ -73,6 +74,7 @@ final class StudioWindow {
     private Content content;
     private Eye eye = Eye.DEFAULT;
     private Optional<Boolean> outlineWanted = Optional.empty();
+    private boolean historyWanted;
 
     /** What is built for one look. */
     private record Content(
@@ -82,6 +84,7 @@ final class StudioWindow {
             Commands commands,
             List<Runnable> closing,
             OutlinePanel outline,
+            HistoryPanel history,
             InspectorPanel inspector,
             TimelinePanel timeline,
             StatusBar status) {}
@@ -191,6 +194,9 @@ final class StudioWindow {
     private Content content(Canvas canvas, StudioCommands made) {
         Commands commands = made.commands();
         OutlinePanel outline = new OutlinePanel(look, session, this::zoomTo);
+        HistoryPanel history = new HistoryPanel(look, session);
+        history.setVisible(historyWanted);
+        outline.add(history, BorderLayout.SOUTH);
         InspectorPanel inspector = new InspectorPanel(look, session);
         TimelinePanel timeline = new TimelinePanel(
                 look,
@@ -235,12 +241,14 @@ final class StudioWindow {
                         solid::close,
                         made::close,
                         outline::close,
+                        history::close,
                         inspector::close,
                         timeline::close,
                         status::close,
                         chips::close,
                         aspects::close),
                 outline,
+                history,
                 inspector,
                 timeline,
                 status);
@@ -284,6 +292,20 @@ final class StudioWindow {
     void wantOutline(boolean on) {
         outlineWanted = Optional.of(on);
         showOutline();
+    }
+
+    /** Tells whether the steps of the history are listed. */
+    boolean wantsHistory() {
+        return historyWanted;
+    }
+
+    /** Shows or hides the steps of the history, below the outline. */
+    void wantHistory(boolean on) {
+        historyWanted = on;
+        content.history().setVisible(on);
+        if (on) {
+            wantOutline(true);
+        }
     }
 
     /** Shows or hides the inspector. */

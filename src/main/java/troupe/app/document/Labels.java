@@ -3,6 +3,7 @@ package troupe.app.document;
 import troupe.scene.Actor;
 import troupe.scene.Ditch;
 import troupe.scene.Element;
+import troupe.scene.Encounter;
 import troupe.scene.Journey;
 import troupe.scene.Obstacle;
 
@@ -15,7 +16,8 @@ public final class Labels {
         return element instanceof Obstacle
                 || element instanceof Ditch
                 || element instanceof Actor
-                || element instanceof Journey;
+                || element instanceof Journey
+                || element instanceof Encounter;
     }
 
     /** Returns an element with another label. */
@@ -23,7 +25,7 @@ public final class Labels {
         return named(element, element.id(), label);
     }
 
-    /** Returns an obstacle or a ditch, an actor or a journey with another id and label; another element as it is. */
+    /** Returns an obstacle or a ditch, an actor, a journey or an encounter with another id and label; another element as it is. */
     public static Element named(Element element, String id, String label) {
         if (element instanceof Obstacle o) {
             return new Obstacle(id, label, o.outline(), o.offset(), o.height(), o.movable(), o.mass(), o.colour());
@@ -46,7 +48,40 @@ public final class Labels {
                     a.vault(),
                     a.move());
         }
+        if (element instanceof Encounter e) {
+            return new Encounter(
+                    id,
+                    label,
+                    e.actor(),
+                    e.start(),
+                    e.goal(),
+                    e.avatars(),
+                    e.method(),
+                    e.ordering(),
+                    e.influence(),
+                    e.growth(),
+                    e.numbers(),
+                    e.seed());
+        }
         return element instanceof Journey j ? named(j, id, label) : element;
+    }
+
+    /** Returns a journey of another actor. */
+    public static Journey acted(Journey j, String actor) {
+        return new Journey(
+                j.id(),
+                j.label(),
+                actor,
+                j.start(),
+                j.goal(),
+                j.preferences(),
+                j.ordering(),
+                j.spread(),
+                j.manipulation(),
+                j.headings(),
+                j.slice(),
+                j.expansions(),
+                j.seed());
     }
 
     private static Journey named(Journey j, String id, String label) {

@@ -1,6 +1,5 @@
 package troupe.app.document;
 
-import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import java.util.function.UnaryOperator;
@@ -96,13 +95,19 @@ public final class SceneEdits {
         return Math.rint(metres * 1e4) / 1e4;
     }
 
-    /** Returns the scene without the obstacles and ditches of these ids; other elements stay. */
+    /** Returns the scene without the elements of these ids. */
     public static Scene removed(Scene scene, Collection<String> ids) {
-        List<Obstacle> obstacles = new ArrayList<>(scene.obstacles());
-        obstacles.removeIf(o -> ids.contains(o.id()));
-        List<Ditch> ditches = new ArrayList<>(scene.ditches());
-        ditches.removeIf(d -> ids.contains(d.id()));
-        return new Scene(scene.title(), scene.world(), obstacles, ditches, scene.actors(), scene.tasks());
+        return new Scene(
+                scene.title(),
+                scene.world(),
+                kept(scene.obstacles(), ids),
+                kept(scene.ditches(), ids),
+                kept(scene.actors(), ids),
+                kept(scene.tasks(), ids));
+    }
+
+    private static <E extends Element> List<E> kept(List<E> all, Collection<String> ids) {
+        return all.stream().filter(e -> !ids.contains(e.id())).toList();
     }
 
     /** Returns the scene with the journey beginning elsewhere. */

@@ -26,6 +26,7 @@ public final class UndoHistory extends UndoManager {
     private final Action redoAction = action(this::stepForward);
     private transient Scene saved;
     private transient Scene present;
+    private boolean jumping;
 
     /** Makes the empty history of a scene; {@code show} is given the scene to go back or forward to. */
     UndoHistory(Scene scene, Consumer<Scene> show) {
@@ -75,7 +76,9 @@ public final class UndoHistory extends UndoManager {
 
     private void go(Scene scene) {
         present = scene;
-        show.accept(scene);
+        if (!jumping) {
+            show.accept(scene);
+        }
     }
 
     /** Returns the observers, told after each change of the history. */
@@ -145,14 +148,21 @@ public final class UndoHistory extends UndoManager {
         return next == null ? edits.size() : edits.indexOf(next);
     }
 
-    /** Goes back or forward until {@code done} steps are done, {@code 0 <= done <= names().size()}. */
+    /** Goes back or forward at one go until {@code done} steps are done, {@code 0 <= done <= names().size()}. */
     public void jump(int done) {
         EventThread.require();
-        while (position() > done && canUndo()) {
+        Scene before = present;
+        jumping = true;
+        int at = position();
+        for (; at > done && canUndo(); at--) {
             undo();
         }
-        while (position() < done && canRedo()) {
+        for (; at < done && canRedo(); at++) {
             redo();
+        }
+        jumping = false;
+        if (present != before) {
+            show.accept(present);
         }
         tell();
     }

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import troupe.app.document.Labels;
 import troupe.app.document.SceneEdits;
 import troupe.scene.Journey;
 import troupe.scene.Place;
@@ -113,23 +114,6 @@ final class TaskProperties {
                 "",
                 ids,
                 (now, id) -> journey(now, id).map(Journey::actor),
-                (now, id, text) -> now.with(acted(journey(now, id).orElseThrow(), text)));
-    }
-
-    private static Journey acted(Journey j, String actor) {
-        return new Journey(
-                j.id(),
-                j.label(),
-                actor,
-                j.start(),
-                j.goal(),
-                j.preferences(),
-                j.ordering(),
-                j.spread(),
-                j.manipulation(),
-                j.headings(),
-                j.slice(),
-                j.expansions(),
-                j.seed());
+                (now, id, text) -> now.with(Labels.acted(journey(now, id).orElseThrow(), text)));
     }
 }

@@ -47,7 +47,8 @@ class SceneEditsTest {
         Scene left = SceneEdits.removed(Scenes.room(), List.of("crate", "ditch", "ann"));
         assertTrue(left.obstacle("crate").isEmpty());
         assertTrue(left.ditches().isEmpty());
-        assertEquals(1, left.actors().size());
+        assertTrue(left.actors().isEmpty());
+        assertEquals(2, left.tasks().size());
     }
 
     @Test
