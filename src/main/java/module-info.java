@@ -16,6 +16,7 @@ module troupe {
     exports troupe.risk;
     exports troupe.risk.forecast;
     exports troupe.risk.plan;
+    exports troupe.risk.study;
     exports troupe.unified;
     exports troupe.unified.manipulation;
     exports troupe.unified.search;

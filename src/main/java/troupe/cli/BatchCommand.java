@@ -30,7 +30,8 @@ final class BatchCommand implements Command {
 
     @Override
     public String usage() {
-        return "SCENE --vary KEY=A,B,C... --seeds 1..N -o FILE.csv | MAP.map --problems MAP.scen -o FILE.csv";
+        return "SCENE --vary KEY=A,B,C... --seeds 1..N -o FILE.csv | MAP.map --problems MAP.scen -o FILE.csv"
+                + " | --encounters 1..N -o FILE.csv | TRACKS.csv --walkers N [--walls FILE.csv] -o FILE.csv";
     }
 
     @Override
@@ -40,14 +41,16 @@ final class BatchCommand implements Command {
 
     @Override
     public List<Option> options() {
-        return List.of(
+        List<Option> options = new ArrayList<>(List.of(
                 SceneFiles.TASK,
                 SceneFiles.SET,
                 Option.many("--vary", "KEY=A,B,C", "varies a setting; values that hold commas are parted by ;"),
                 Option.of("--seeds", "1..N", "the seeds of each combination; without it the scene's own"),
                 Option.of("--problems", "MAP.scen", "solves every problem of a scenario file of the map"),
-                Option.of("--jobs", "N", "threads; without it one per core, or 1 with --problems"),
-                Option.of("-o", "FILE.csv", "the table; - for standard output, as without it"));
+                Option.of("--jobs", "N", "threads; without it one per core, or 1 where the table tells times"),
+                Option.of("-o", "FILE.csv", "the table; - for standard output, as without it")));
+        options.addAll(EncounterBatches.OPTIONS);
+        return options;
     }
 
     @Override
@@ -55,6 +58,9 @@ final class BatchCommand implements Command {
         return List.of(
                 "The table of --problems: start,goal,length,optimal,expanded,micros. start and goal are cells \"x y\"",
                 "counted as in the file; micros holds both searches of a problem, the one for the cost to go included.",
+                "Batches of encounters print their sums by method on standard error: collisions, encounters with one",
+                "(struck), arrivals, length divided by the straight one (detour), mean risk, the smallest distance,",
+                "and the medians of a step's and of the first plan's time.",
                 "Exit code 1: a combination had no solution, or a length is not the file's.");
     }
 
@@ -68,6 +74,14 @@ final class BatchCommand implements Command {
                 }
             }
             return problems(arguments, terminal);
+        }
+        if (EncounterBatches.isMeant(arguments)) {
+            for (String other : List.of("--vary", "--seeds", "--task")) {
+                if (arguments.has(other)) {
+                    throw new UsageException(other + " does not go with --encounters or --walkers");
+                }
+            }
+            return EncounterBatches.run(arguments, terminal);
         }
         return combinations(arguments, terminal);
     }

@@ -39,6 +39,7 @@ public final class Troupe {
                 new ExportCommand(),
                 new ImportCommand(),
                 new BatchCommand(),
+                new FitCommand(),
                 new RecordCommand());
     }
 }

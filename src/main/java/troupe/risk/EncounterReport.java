@@ -18,7 +18,7 @@ final class EncounterReport {
     private double peak;
     private double nearest = Double.POSITIVE_INFINITY;
     private double gap = Double.POSITIVE_INFINITY;
-    private double fromStart;
+    private double deviation;
     private long collisions;
 
     EncounterReport(Encounter encounter) {
@@ -45,9 +45,14 @@ final class EncounterReport {
 
     void walked(double way, double x, double y) {
         length += way;
-        double dx = x - encounter.start().x();
-        double dy = y - encounter.start().y();
-        fromStart = Math.sqrt(dx * dx + dy * dy);
+        double dx = encounter.goal().x() - encounter.start().x();
+        double dy = encounter.goal().y() - encounter.start().y();
+        double straight = Math.sqrt(dx * dx + dy * dy);
+        if (straight > 0) {
+            double off = dx * (y - encounter.start().y())
+                    - dy * (x - encounter.start().x());
+            deviation = Math.max(deviation, Math.abs(off) / straight);
+        }
     }
 
     void apart(double middles, double surfaces, boolean collides) {
@@ -74,7 +79,7 @@ final class EncounterReport {
                 .put("arrival", arrived ? frames.duration() : 0.0)
                 .put("straight", straight)
                 .put("detour", arrived && straight > 0 ? length / straight : 0.0)
-                .put("from_start", fromStart)
+                .put("deviation", deviation)
                 .put("collisions", collisions);
         if (nearest < Double.POSITIVE_INFINITY) {
             report.put("smallest_distance", nearest).put("smallest_gap", gap);

@@ -77,7 +77,7 @@ public record Encounter(
         /** Seconds that are predicted. */
         HORIZON("horizon", "s", 4, 0.1, 30, false),
         /** Risk at no distance. */
-        W0("w0", "", 3, -1e6, 1e6, false),
+        W0("w0", "", 2.5, -1e6, 1e6, false),
         /** Risk for each metre of distance. */
         W1("w1", "1/m", -2, -1e6, 1e6, false),
         /** Risk for each metre per second at which the distance grows. */
@@ -87,7 +87,7 @@ public record Encounter(
         /** How far an update moves the middle of a stretch aside. */
         REACH("reach", "cells", 12, 1, 1000, true),
         /** What mean risk 1 counts when an updated plan is judged, in metres of way. */
-        TRADE("trade", "m", 4, 0, 1e6, false),
+        TRADE("trade", "m", 2, 0, 1e6, false),
         /** Steps per second. */
         RATE("rate", "1/s", 30, 2, 120, false),
         /** Seconds after which the actor gives up. */

@@ -22,7 +22,7 @@ public final class Ways {
     static final int FAR = Integer.MAX_VALUE;
 
     private final GridFrame fine;
-    private final Region region;
+    private final boolean[] ground;
     private final int factor;
     private final int cols;
     private final int rows;
@@ -37,8 +37,8 @@ public final class Ways {
      * @param region whose lowest floors are the ground
      */
     public Ways(Region region) {
-        this.region = region;
         this.fine = region.frame();
+        this.ground = ground(region);
         this.factor = (int) Math.max(1, Math.round(BLOCK / fine.cell()));
         this.cols = (fine.cols() + factor - 1) / factor;
         this.rows = (fine.rows() + factor - 1) / factor;
@@ -54,6 +54,31 @@ public final class Ways {
         count();
     }
 
+    /** Finds the cells that belong to the ground: joined by steps to a floor no higher than a step. */
+    private static boolean[] ground(Region region) {
+        int cells = region.frame().size();
+        boolean[] ground = new boolean[cells];
+        int[] queue = new int[cells];
+        int tail = 0;
+        for (int cell = 0; cell < cells; cell++) {
+            if (region.open(cell) && region.elevation(cell) <= region.actor().stepHeight()) {
+                ground[cell] = true;
+                queue[tail++] = cell;
+            }
+        }
+        int[] offsets = region.frame().offsets();
+        for (int head = 0; head < tail; head++) {
+            for (int moves = region.moves(queue[head]); moves != 0; moves &= moves - 1) {
+                int next = queue[head] + offsets[Integer.numberOfTrailingZeros(moves)];
+                if (next < cells && !ground[next]) {
+                    ground[next] = true;
+                    queue[tail++] = next;
+                }
+            }
+        }
+        return ground;
+    }
+
     private int standing(int block) {
         int best = -1;
         double least = Double.POSITIVE_INFINITY;
@@ -64,7 +89,7 @@ public final class Ways {
             for (int c = 0; c < factor && col + c < fine.cols(); c++) {
                 double away = (r - middle) * (r - middle) + (c - middle) * (c - middle);
                 int cell = fine.index(col + c, row + r);
-                if (away < least && region.open(cell)) {
+                if (away < least && ground[cell]) {
                     least = away;
                     best = cell;
                 }
@@ -96,7 +121,7 @@ public final class Ways {
         for (int k = 0; k <= steps; k++) {
             int col = fine.col(from) + (int) Math.round((double) dx * k / steps);
             int row = fine.row(from) + (int) Math.round((double) dy * k / steps);
-            if (!region.open(fine.index(col, row))) {
+            if (!ground[fine.index(col, row)]) {
                 return false;
             }
         }
@@ -119,7 +144,7 @@ public final class Ways {
         int row = block / cols * factor;
         for (int r = row; r < row + factor; r++) {
             for (int c = col; c < col + factor; c++) {
-                if (r >= fine.rows() || c >= fine.cols() || !region.open(fine.index(c, r))) {
+                if (r >= fine.rows() || c >= fine.cols() || !ground[fine.index(c, r)]) {
                     return false;
                 }
             }
@@ -147,7 +172,7 @@ public final class Ways {
     /** Tells whether a place is no wall: an open cell of the ground. */
     boolean free(double x, double y) {
         int cell = fine.cellAt(x, y);
-        return cell >= 0 && region.open(cell);
+        return cell >= 0 && ground[cell];
     }
 
     /** Returns the frame of the ground's cells. */
@@ -157,7 +182,7 @@ public final class Ways {
 
     /** Tells whether a cell of the ground is no wall. */
     boolean free(int cell) {
-        return region.open(cell);
+        return ground[cell];
     }
 
     /** Tells whether everything within {@code radius} metres of a place is free, judged by the square around. */

@@ -29,6 +29,8 @@ public final class TimeSearch implements Expander {
     /** Keeps a key whole and small, whatever the risk. */
     private static final double MOST_RISK = 1e9;
 
+    private static final double TIE = 1e-3;
+
     private final Ground ground;
     private final Region region;
     private final GridFrame frame;
@@ -126,7 +128,9 @@ public final class TimeSearch implements Expander {
                 return;
             }
             cost = ticks;
-            key = Math.round(MICRO * (ground.potential(q) + Math.min(risk, MOST_RISK)));
+            // of equal potentials the shorter way: NF1 alone does not tell a diagonal from a straight move
+            double tie = TIE * ground.ticksToGo(q) * tick * ground.speed();
+            key = Math.round(MICRO * (ground.potential(q) + Math.min(risk, MOST_RISK) + tie));
         }
         int label = labels.add((int) ticks, q, parent, cost, risk, LabelPool.NONE, LabelPool.NONE);
         states.put(state, label);
@@ -192,6 +196,7 @@ public final class TimeSearch implements Expander {
         int first = root();
         path.add(startX, startY, now, labels.state(first));
         path.reverse();
+        path.hurryNot(ground.speed());
         end(path);
     }
 

@@ -67,6 +67,17 @@ public final class TimedPath {
         }
     }
 
+    /** Puts off all points but the first, so that the way to the second one is no faster than a speed in m/s. */
+    void hurryNot(double speed) {
+        if (size < 2) {
+            return;
+        }
+        double later = length(0, 1) / speed - (ts[1] - ts[0]);
+        for (int i = 1; i < size && later > 0; i++) {
+            ts[i] += later;
+        }
+    }
+
     /** Returns the number of points. */
     public int size() {
         return size;
