@@ -85,6 +85,12 @@ final class StudioCommands implements AutoCloseable {
         commands.add("file", "save", files::save);
         commands.add("file", "saveas", files::saveAs);
         commands.separate();
+        Command export = commands.add("file", "export", window::export);
+        Consumer<Playback> able = now -> export.setEnabled(session.run().isPresent());
+        able.accept(session.playback());
+        leave.add(session.playback().listeners().add(able));
+        leave.add(session.plans().add(plan -> able.accept(session.playback())));
+        commands.separate();
         commands.add("file", "quit", window::close);
     }
 

@@ -26,6 +26,7 @@ import javax.swing.WindowConstants;
 import troupe.app.canvas.Canvas;
 import troupe.app.command.CommandSearch;
 import troupe.app.command.Commands;
+import troupe.app.export.ExportDialog;
 import troupe.app.look.Look;
 import troupe.app.look.SwingTheme;
 import troupe.app.look.Texts;
@@ -49,6 +50,7 @@ import troupe.app.solid.SolidMode;
 import troupe.app.solid.SolidView;
 import troupe.app.tool.Hits;
 import troupe.app.tool.Tool;
+import troupe.exchange.ExportSettings;
 import troupe.geometry.Box;
 import troupe.paint.Theme;
 import troupe.paint.Viewport;
@@ -316,6 +318,19 @@ final class StudioWindow {
     /** Shows or hides the timeline. */
     void wantTimeline(boolean on) {
         show(content.timeline(), on);
+    }
+
+    /** Asks how the run that is shown is to be written, and writes it. */
+    void export() {
+        session.run().ifPresent(run -> {
+            Path scene = session.document().file().orElse(Path.of(run.task())).toAbsolutePath();
+            String name = scene.getFileName().toString().replaceFirst("\\.xml$", "") + "-" + run.task();
+            ExportSettings first = ExportSettings.DEFAULT
+                    .at(session.playback().time())
+                    .in(look.theme())
+                    .from(content.solid().eye().angle());
+            ExportDialog.show(frame, look, run, first, scene.resolveSibling(name), eventThread);
+        });
     }
 
     /** Shows the view in three dimensions in another place, and remembers it. */
