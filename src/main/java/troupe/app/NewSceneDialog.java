@@ -8,6 +8,7 @@ import javax.swing.JDialog;
 import javax.swing.JPanel;
 import javax.swing.KeyStroke;
 import troupe.app.look.Look;
+import troupe.app.look.Scaling;
 import troupe.app.start.NewScenePanel;
 import troupe.paint.Tone;
 
@@ -28,7 +29,7 @@ final class NewSceneDialog {
             dialog.dispose();
             pages.create(scene);
         }));
-        dialog.setContentPane(all);
+        dialog.setContentPane(new Scaling(look::scale).apply(all));
         dialog.getRootPane()
                 .getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW)
                 .put(KeyStroke.getKeyStroke("ESCAPE"), "close");

@@ -16,7 +16,6 @@ import javax.swing.JPanel;
 import troupe.app.look.Look;
 import troupe.app.look.Question;
 import troupe.app.recovery.Recovery;
-import troupe.paint.Theme;
 import troupe.paint.Tone;
 
 /** Asks whether to bring back edits that were not saved before the studio ended, with their picture and time. */
@@ -45,7 +44,7 @@ final class RecoveryQuestion {
                 : offer.scene().title();
         JLabel name = look.label(
                 offer.left().file().map(f -> f.getFileName().toString()).orElse(title), Tone.TEXT);
-        name.setFont(Theme.bold(14));
+        name.setFont(look.bold(14));
         words.add(name);
         words.add(Box.createVerticalStrut(4));
         words.add(look.label(

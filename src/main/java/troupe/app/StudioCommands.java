@@ -101,6 +101,8 @@ final class StudioCommands implements AutoCloseable {
         edits.addClipboard(commands);
         edits.addSelection(commands);
         commands.add("edit", "search", window::search);
+        commands.separate();
+        commands.add("edit", "preferences", window::preferences);
     }
 
     private void addView() {
@@ -132,7 +134,7 @@ final class StudioCommands implements AutoCloseable {
 
     private void addTools() {
         Editing editing = new Editing(
-                session.document(), session.selection(), look, canvas::view, () -> take(commands.get("select")));
+                session.document(), session.selection(), look.scaled(1), canvas::view, () -> take(commands.get("select")));
         addTool(new SelectTool(editing));
         addTool(new DrawPolygonTool(editing, false));
         addTool(new DrawBoxTool(editing, false));

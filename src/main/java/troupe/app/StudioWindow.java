@@ -28,6 +28,7 @@ import troupe.app.command.CommandSearch;
 import troupe.app.command.Commands;
 import troupe.app.export.ExportDialog;
 import troupe.app.look.Look;
+import troupe.app.look.Scaling;
 import troupe.app.look.SwingTheme;
 import troupe.app.look.Texts;
 import troupe.app.look.ThinDivider;
@@ -70,6 +71,7 @@ final class StudioWindow {
     private final Timer clock;
     private final PlayKey playKey;
     private final Pages pages;
+    private final Scaling scaling = new Scaling(() -> look().scale());
     private final Recovery recovery;
     private long ticked;
     private Look look;
@@ -96,7 +98,8 @@ final class StudioWindow {
         this.settings = settings;
         this.eventThread = eventThread;
         this.clock = new Timer(FRAME_MS, e -> tick());
-        this.look = new Look(settings.theme(), new Texts(settings.language()));
+        this.look = new Look(settings.theme(), new Texts(settings.language()), settings.scale() / 100.0);
+        scaling.apply(frame.getLayeredPane());
         frame.setName("studio");
         frame.setDefaultCloseOperation(WindowConstants.DO_NOTHING_ON_CLOSE);
         frame.addWindowListener(new WindowAdapter() {
@@ -112,6 +115,9 @@ final class StudioWindow {
             }
         });
         session.playback().listeners().add(this::runClock);
+        if (!settings.live()) {
+            session.setLive(false);
+        }
         pages = new Pages(this, settings, eventThread);
         recovery =
                 new Recovery(session, new KeptFiles(settings.recoveryFolder()), eventThread, look.theme(), this::offer);
@@ -126,7 +132,7 @@ final class StudioWindow {
     /** Opens the window, as large as the screen allows up to 1440 by 900. */
     void open() {
         Dimension screen = Toolkit.getDefaultToolkit().getScreenSize();
-        frame.setSize(Math.min(1_440, screen.width), Math.min(900, screen.height));
+        frame.setSize(Math.min(look.px(1_440), screen.width), Math.min(look.px(900), screen.height));
         frame.setMinimumSize(new Dimension(800, 560));
         frame.setLocationRelativeTo(null);
         frame.setVisible(true);
@@ -181,12 +187,13 @@ final class StudioWindow {
         }
         SwingTheme.install(look);
         Canvas canvas = new Canvas(look, session, eventThread);
+        canvas.setSnapping(settings.snapping());
         StudioCommands made = new StudioCommands(this, look, canvas);
         content = content(canvas, made);
         view.ifPresent(canvas::show);
         showSolid(settings.solid());
         RecentMenu recent = new RecentMenu(look, settings::recent, pages::open);
-        frame.setJMenuBar(new TopBar(look, session, made.commands(), recent, this::search));
+        frame.setJMenuBar(scaling.apply(new TopBar(look, session, made.commands(), recent, this::search)));
         frame.revalidate();
         frame.repaint();
         canvas.requestFocusInWindow();
@@ -232,7 +239,7 @@ final class StudioWindow {
         JPanel all = new JPanel(new BorderLayout());
         all.add(pages.around(body(made, outline, deck, inspector, timeline)), BorderLayout.CENTER);
         all.add(status, BorderLayout.SOUTH);
-        frame.setContentPane(all);
+        frame.setContentPane(scaling.apply(all));
         return new Content(
                 canvas,
                 solid,
@@ -277,7 +284,7 @@ final class StudioWindow {
     /** Shows everything in another theme. */
     void show(Theme theme) {
         settings.setTheme(theme);
-        look = new Look(theme, look.texts());
+        look = look.with(theme);
         build();
         showOutline();
     }
@@ -285,9 +292,22 @@ final class StudioWindow {
     /** Shows everything in another language. */
     void show(Texts texts) {
         settings.setLanguage(texts.locale());
-        look = new Look(look.theme(), texts);
+        look = look.with(texts);
         build();
         showOutline();
+    }
+
+    /** Shows everything at another scale, in percent. */
+    void scale(int percent) {
+        settings.setScale(percent);
+        look = look.scaled(percent / 100.0);
+        build();
+        showOutline();
+    }
+
+    /** Shows the preferences. */
+    void preferences() {
+        new PreferencesDialog(this, settings).show();
     }
 
     /** Shows or hides the outline, whatever the width of the window. */
@@ -349,7 +369,7 @@ final class StudioWindow {
     }
 
     private void showOutline() {
-        boolean on = outlineWanted.orElse(frame.getWidth() >= NARROW);
+        boolean on = outlineWanted.orElse(frame.getWidth() >= look.px(NARROW));
         content.commands().get("outline").setOn(on);
         show(content.outline(), on);
     }
@@ -384,7 +404,7 @@ final class StudioWindow {
         session.document().shown().element(id).flatMap(Hits::outline).ifPresent(outline -> {
             Box box = outline.bounds().grown(1.5);
             Canvas canvas = content.canvas();
-            canvas.show(Viewport.fit(box, canvas.getWidth(), canvas.getHeight(), 60));
+            canvas.show(Viewport.fit(box, (int) canvas.wide(), (int) canvas.high(), 60));
         });
     }
 

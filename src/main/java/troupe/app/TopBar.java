@@ -16,7 +16,6 @@ import troupe.app.command.Commands;
 import troupe.app.look.FlatButton;
 import troupe.app.look.Look;
 import troupe.app.session.Session;
-import troupe.paint.Theme;
 import troupe.paint.Tone;
 import troupe.scene.Task;
 
@@ -40,7 +39,7 @@ final class TopBar extends JMenuBar {
                 look.line(0, 0, 1, 0), BorderFactory.createEmptyBorder(0, 12, 0, 12)));
         setPreferredSize(new Dimension(100, 41));
         JLabel name = look.label("Troupe", Tone.TEXT);
-        name.setFont(Theme.bold(13));
+        name.setFont(look.bold(13));
         add(name);
         add(Box.createHorizontalStrut(12));
         for (JMenu menu : commands.menus()) {

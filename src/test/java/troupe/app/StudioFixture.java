@@ -153,7 +153,8 @@ final class StudioFixture implements AutoCloseable {
     /** Returns the pixel of the canvas that shows a place in metres. */
     Point pixel(double x, double y) {
         Viewport view = OnEventThread.get(() -> window.canvas().view());
-        return new Point((int) Math.round(view.px(x)), (int) Math.round(view.py(y)));
+        double scale = OnEventThread.get(() -> window.look().scale());
+        return new Point((int) Math.round(view.px(x) * scale), (int) Math.round(view.py(y) * scale));
     }
 
     private Point onScreen(Component component, int x, int y) {

@@ -7,6 +7,8 @@ import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
+import java.awt.event.MouseEvent;
+import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.List;
@@ -62,6 +64,8 @@ public final class Canvas extends Drawn implements AutoCloseable {
     private transient Viewport view = new Viewport(0, 0, 1);
     private boolean fitted = true;
     private transient Dimension corner = new Dimension();
+    private boolean snapping = true;
+    private final double scale;
     private transient Tool tool;
     private transient Painters.Prepared prepared;
     private transient Scene painted;
@@ -71,9 +75,10 @@ public final class Canvas extends Drawn implements AutoCloseable {
 
     /** Makes the canvas of a session. */
     public Canvas(Look look, Session session, Executor eventThread) {
-        this.look = look;
+        this.look = look.scaled(1);
+        this.scale = look.scale();
         this.session = session;
-        this.painters = new Painters(look, eventThread, this::take);
+        this.painters = new Painters(this.look, eventThread, this::take);
         this.stack = new LayerStack(List.of(
                 layer(this::groundStamp, g -> scenePainter().paintGround(g, view)),
                 layer(this::sceneStamp, g -> scenePainter().paintObstacles(g, view)),
@@ -140,6 +145,21 @@ public final class Canvas extends Drawn implements AutoCloseable {
         return gestures;
     }
 
+    /** Returns the width in the pixels of the viewport, which are those at 100 %. */
+    public double wide() {
+        return getWidth() / scale;
+    }
+
+    /** Returns the height in the pixels of the viewport, which are those at 100 %. */
+    public double high() {
+        return getHeight() / scale;
+    }
+
+    /** Returns where an event was in the pixels of the viewport. */
+    Point2D place(MouseEvent event) {
+        return new Point2D.Double(event.getX() / scale, event.getY() / scale);
+    }
+
     /** Returns the viewport. */
     public Viewport view() {
         return view;
@@ -160,7 +180,7 @@ public final class Canvas extends Drawn implements AutoCloseable {
     /** Shows the whole scene, and goes on doing so when the window changes its size. */
     public void fit() {
         fitted = true;
-        if (getWidth() > 0 && getHeight() > 0) {
+        if (wide() > 0 && high() > 0) {
             setView(fitting());
         }
     }
@@ -168,21 +188,23 @@ public final class Canvas extends Drawn implements AutoCloseable {
     private Viewport fitting() {
         Scene scene = session.document().shown();
         Box world = new Box(0, 0, scene.world().width(), scene.world().depth());
-        double tall = getHeight() - (double) TOP - BOTTOM;
-        Viewport whole = Viewport.fit(world, MARGIN, TOP, getWidth() - 2.0 * MARGIN, tall);
-        double right = getWidth() - (double) corner.width;
+        double tall = high() - TOP - BOTTOM;
+        Viewport whole = Viewport.fit(world, MARGIN, TOP, wide() - 2.0 * MARGIN, tall);
+        double right = wide() - corner.width;
         boolean free = whole.px(world.maxX()) <= right || whole.py(world.maxY()) >= TOP + corner.height;
         if (corner.width == 0 || free) {
             return whole;
         }
         Viewport beside = Viewport.fit(world, MARGIN, TOP, right - MARGIN, tall);
         Viewport below =
-                Viewport.fit(world, MARGIN, TOP + corner.height, getWidth() - 2.0 * MARGIN, tall - corner.height);
+                Viewport.fit(world, MARGIN, TOP + corner.height, wide() - 2.0 * MARGIN, tall - corner.height);
         return beside.scale() >= below.scale() ? beside : below;
     }
 
     /** Leaves so many pixels of the upper right corner free of the scene while the whole of it is shown. */
-    public void leaveCorner(Dimension size) {
+    public void leaveCorner(Dimension pixels) {
+        Dimension size = new Dimension(
+                (int) Math.ceil(pixels.width / scale), (int) Math.ceil(pixels.height / scale));
         if (!corner.equals(size)) {
             corner = size;
             if (fitted) {
@@ -198,14 +220,24 @@ public final class Canvas extends Drawn implements AutoCloseable {
 
     /** Returns the present scale as a share of that at which the whole scene just fits. */
     public double zoomShare() {
-        return getWidth() == 0 || getHeight() == 0
+        return wide() == 0 || high() == 0
                 ? 1
                 : view.scale() / fitting().scale();
     }
 
     /** Zooms at the middle of the canvas. */
     public void zoom(double factor) {
-        show(view.zoomed(factor, getWidth() / 2.0, getHeight() / 2.0));
+        show(view.zoomed(factor, wide() / 2, high() / 2));
+    }
+
+    /** Switches snapping: where it is off, the Alt key snaps instead of keeping from it. */
+    public void setSnapping(boolean on) {
+        snapping = on;
+    }
+
+    /** Tells whether the tools snap without the Alt key. */
+    public boolean isSnapping() {
+        return snapping;
     }
 
     /** Returns the tool in hand. */
@@ -338,22 +370,23 @@ public final class Canvas extends Drawn implements AutoCloseable {
     protected void paintComponent(Graphics graphics) {
         Graphics2D g = Look.smooth(graphics);
         g.setRenderingHint(RenderingHints.KEY_FRACTIONALMETRICS, RenderingHints.VALUE_FRACTIONALMETRICS_ON);
-        stack.paint(g, getWidth(), getHeight(), look.color(Tone.CANVAS), view);
+        g.scale(scale, scale);
+        stack.paint(g, (int) Math.ceil(wide()), (int) Math.ceil(high()), look.color(Tone.CANVAS), view);
         paintCards(g);
         g.dispose();
     }
 
     /** Paints what explains the picture: legend and scale. */
     private void paintCards(Graphics2D g) {
-        int bottom = getHeight() - CARD_MARGIN;
+        int bottom = (int) high() - CARD_MARGIN;
         double scaleBar = ScaleBar.width(view);
         if (prepared != null && session.overlays().shows(OverlayChoice.LEGEND)) {
             Legend legend = prepared.legend();
-            int most = (int) (getWidth() - scaleBar - 5 * CARD_MARGIN);
+            int most = (int) (wide() - scaleBar - 5 * CARD_MARGIN);
             Dimension size = legend.size(g, most);
             legend.paint(g, CARD_MARGIN, bottom - size.height, most);
         }
-        ScaleBar.paint(g, view, look.theme(), getWidth() - 2.0 * CARD_MARGIN, bottom - 6.0);
+        ScaleBar.paint(g, view, look.theme(), wide() - 2.0 * CARD_MARGIN, bottom - 6.0);
     }
 
     private static LayerStack.Layer layer(Supplier<Object> stamp, Consumer<Graphics2D> painting) {

@@ -4,6 +4,7 @@ import java.awt.event.ActionEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
+import java.awt.geom.Point2D;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.AbstractAction;
@@ -12,7 +13,6 @@ import javax.swing.SwingUtilities;
 import troupe.app.tool.PanTool;
 import troupe.app.tool.Pointer;
 import troupe.app.tool.Tool;
-import troupe.paint.Viewport;
 
 /** Leads the events of the pointer to the tool in hand, or to the view. */
 final class CanvasMouse extends MouseAdapter {
@@ -66,13 +66,13 @@ final class CanvasMouse extends MouseAdapter {
     }
 
     private Pointer pointer(MouseEvent event) {
-        Viewport view = canvas.view();
+        Point2D place = canvas.place(event);
         return new Pointer(
-                view.point(event.getX(), event.getY()),
-                event.getX(),
-                event.getY(),
+                canvas.view().point(place.getX(), place.getY()),
+                place.getX(),
+                place.getY(),
                 event.isShiftDown(),
-                event.isAltDown(),
+                event.isAltDown() == canvas.isSnapping(),
                 event.getClickCount());
     }
 
@@ -135,7 +135,8 @@ final class CanvasMouse extends MouseAdapter {
     @Override
     public void mouseWheelMoved(MouseWheelEvent event) {
         double factor = Math.pow(ZOOM, -event.getPreciseWheelRotation());
-        canvas.show(canvas.view().zoomed(factor, event.getX(), event.getY()));
+        Point2D place = canvas.place(event);
+        canvas.show(canvas.view().zoomed(factor, place.getX(), place.getY()));
         canvas.pointers().tell(Optional.of(pointer(event).at()));
     }
 }

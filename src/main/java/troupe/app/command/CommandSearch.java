@@ -43,7 +43,7 @@ public final class CommandSearch extends JPanel {
                 Graphics2D g = Look.smooth(graphics);
                 g.setFont(look.font());
                 g.setColor(look.color(Tone.DIM));
-                g.drawString(look.text("search.none"), 10, ROW / 2 + 4);
+                g.drawString(look.text("search.none"), look.px(10), look.px(ROW / 2.0 + 4));
                 g.dispose();
             }
         }
@@ -81,7 +81,7 @@ public final class CommandSearch extends JPanel {
         key("ESCAPE", close);
         key("DOWN", () -> mark(1));
         key("UP", () -> mark(-1));
-        setSize(new Dimension(WIDTH, ROWS * ROW + 60));
+        setSize(new Dimension(look.px(WIDTH), look.px(ROWS * ROW + 60)));
         find();
     }
 
@@ -164,12 +164,12 @@ public final class CommandSearch extends JPanel {
                 g.fillRoundRect(0, 1, getWidth(), getHeight() - 2, 10, 10);
             }
             g.setFont(look.font());
-            int base = getHeight() / 2 + 4;
+            int base = getHeight() / 2 + look.px(4);
             g.setColor(command.isEnabled() ? look.color(Tone.TEXT) : look.mix(Tone.DIM, Tone.PANEL, 0.6));
-            g.drawString(command.name(), 10, base);
+            g.drawString(command.name(), look.px(10), base);
             g.setColor(look.color(Tone.DIM));
             String right = command.shortcut();
-            g.drawString(right, getWidth() - 10 - g.getFontMetrics().stringWidth(right), base);
+            g.drawString(right, getWidth() - look.px(10) - g.getFontMetrics().stringWidth(right), base);
             g.dispose();
         }
     }

@@ -40,7 +40,8 @@ public class Entry extends JTextField {
         setForeground(look.color(Tone.TEXT));
         setCaretColor(look.color(Tone.TEXT));
         setOpaque(false);
-        int right = 10 + getFontMetrics(getFont()).stringWidth(unit);
+        // in pixels at 100 %, as all borders are
+        int right = (int) Math.ceil(10 + getFontMetrics(getFont()).stringWidth(unit) / look.scale());
         setBorder(BorderFactory.createEmptyBorder(3, 8, 3, right));
         setPreferredSize(new Dimension(60, 24));
         getDocument().addDocumentListener(new Check());
@@ -98,20 +99,21 @@ public class Entry extends JTextField {
     @Override
     protected void paintComponent(Graphics graphics) {
         Graphics2D g = Look.smooth(graphics);
+        int arc = look.px(12);
         g.setColor(look.color(Tone.BACKGROUND));
-        g.fillRoundRect(0, 0, getWidth() - 1, getHeight() - 1, 12, 12);
+        g.fillRoundRect(0, 0, getWidth() - 1, getHeight() - 1, arc, arc);
         Tone edge = wrong ? Tone.MOVE : isFocusOwner() ? Tone.ACCENT : Tone.LINE;
         g.setColor(look.color(edge));
-        g.drawRoundRect(0, 0, getWidth() - 1, getHeight() - 1, 12, 12);
+        g.drawRoundRect(0, 0, getWidth() - 1, getHeight() - 1, arc, arc);
         g.setColor(look.color(Tone.DIM));
         g.setFont(look.font());
         FontMetrics metrics = g.getFontMetrics();
         int base = (getHeight() - metrics.getHeight()) / 2 + metrics.getAscent();
         boolean stands = getText().isEmpty() && !isFocusOwner() && !absent.isEmpty();
         if (stands) {
-            g.drawString(absent, 8, base);
+            g.drawString(absent, look.px(8), base);
         } else {
-            g.drawString(unit, getWidth() - 8 - metrics.stringWidth(unit), base);
+            g.drawString(unit, getWidth() - look.px(8) - metrics.stringWidth(unit), base);
         }
         g.dispose();
         super.paintComponent(graphics);

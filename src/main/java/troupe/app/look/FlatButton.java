@@ -78,10 +78,16 @@ public final class FlatButton extends JToggleButton {
         FontMetrics metrics = getFontMetrics(getFont());
         int icon = getIcon() == null ? 0 : getIcon().getIconWidth();
         int text = shownText().isEmpty() ? 0 : metrics.stringWidth(shownText());
-        int after = hint.isEmpty() ? 0 : metrics.stringWidth(hint) + 8;
-        int between = icon > 0 && text > 0 ? 6 : 0;
-        int height = style == Style.CHIP ? 24 : 28;
-        return new Dimension(icon + between + text + after + 2 * style.padding, height);
+        int after = hint.isEmpty() ? 0 : metrics.stringWidth(hint) + look.px(8);
+        int between = icon > 0 && text > 0 ? look.px(6) : 0;
+        int height = look.px(style == Style.CHIP ? 24 : 28);
+        return new Dimension(icon + between + text + after + 2 * look.px(style.padding), height);
+    }
+
+    /** {@inheritDoc} It is shown at the scale of the looks. */
+    @Override
+    public void setIcon(Icon icon) {
+        super.setIcon(icon == null || look == null ? icon : look.enlarged(icon));
     }
 
     private String shownText() {
@@ -96,8 +102,8 @@ public final class FlatButton extends JToggleButton {
         Icon icon = getIcon();
         String text = shownText();
         int width = (icon == null ? 0 : icon.getIconWidth()) + (text.isEmpty() ? 0 : metrics.stringWidth(text));
-        int between = icon != null && !text.isEmpty() ? 6 : 0;
-        int x = style == Style.ICON || hint.isEmpty() ? (getWidth() - width - between) / 2 : style.padding;
+        int between = icon != null && !text.isEmpty() ? look.px(6) : 0;
+        int x = style == Style.ICON || hint.isEmpty() ? (getWidth() - width - between) / 2 : look.px(style.padding);
         if (icon != null) {
             setForeground(ink());
             icon.paintIcon(this, g, x, (getHeight() - icon.getIconHeight()) / 2);
@@ -109,22 +115,23 @@ public final class FlatButton extends JToggleButton {
         g.drawString(text, x, base);
         if (!hint.isEmpty()) {
             g.setColor(look.color(Tone.DIM));
-            g.drawString(hint, getWidth() - style.padding - metrics.stringWidth(hint), base);
+            g.drawString(hint, getWidth() - look.px(style.padding) - metrics.stringWidth(hint), base);
         }
         g.dispose();
     }
 
     private void paintGround(Graphics2D g) {
+        int arc = look.px(2 * style.arc);
         Color fill = fill();
         if (fill != null) {
             g.setColor(fill);
-            g.fillRoundRect(0, 0, getWidth(), getHeight(), 2 * style.arc, 2 * style.arc);
+            g.fillRoundRect(0, 0, getWidth(), getHeight(), arc, arc);
         }
         boolean framed = style == Style.PILL || style == Style.CHIP || style == Style.ACCENT && !isSelected();
         if (framed || isFocusOwner()) {
             boolean accented = isFocusOwner() || style == Style.CHIP && isSelected();
             g.setColor(look.color(accented ? Tone.ACCENT : Tone.LINE));
-            g.drawRoundRect(0, 0, getWidth() - 1, getHeight() - 1, 2 * style.arc, 2 * style.arc);
+            g.drawRoundRect(0, 0, getWidth() - 1, getHeight() - 1, arc, arc);
         }
     }
 

@@ -55,7 +55,7 @@ public final class Question {
         }
         all.add(buttons, BorderLayout.SOUTH);
         key(dialog, "ESCAPE", "");
-        dialog.setContentPane(all);
+        dialog.setContentPane(new Scaling(look::scale).apply(all));
         dialog.pack();
         dialog.setResizable(false);
         dialog.setLocationRelativeTo(over);

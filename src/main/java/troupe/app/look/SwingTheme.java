@@ -17,7 +17,6 @@ import javax.swing.plaf.FontUIResource;
 import javax.swing.plaf.InsetsUIResource;
 import javax.swing.plaf.metal.DefaultMetalTheme;
 import javax.swing.plaf.metal.MetalLookAndFeel;
-import troupe.paint.Theme;
 import troupe.paint.Tone;
 
 /** Dresses the JDK's own components (menus, dialogs, file choosers) in the colours of a theme. */
@@ -67,7 +66,7 @@ public final class SwingTheme extends DefaultMetalTheme {
             defaults.put(part + ".border", border(4, 8, 4, 12));
             defaults.put(part + ".borderPainted", Boolean.FALSE);
             defaults.put(part + ".acceleratorDelimiter", "+");
-            defaults.put(part + ".afterCheckIconGap", 6);
+            defaults.put(part + ".afterCheckIconGap", look.px(6));
         }
         defaults.put("MenuBar.border", border(0, 0, 0, 0));
         defaults.put("PopupMenu.border", frame(4));
@@ -85,7 +84,7 @@ public final class SwingTheme extends DefaultMetalTheme {
         defaults.put("ScrollPane.border", border(0, 0, 0, 0));
         defaults.put("SplitPane.border", border(0, 0, 0, 0));
         defaults.put("SplitPaneDivider.border", border(0, 0, 0, 0));
-        defaults.put("Button.margin", new InsetsUIResource(4, 14, 4, 14));
+        defaults.put("Button.margin", new InsetsUIResource(look.px(4), look.px(14), look.px(4), look.px(14)));
         defaults.put("Separator.foreground", resource(look.color(Tone.LINE)));
         defaults.put("Separator.background", resource(panel));
     }
@@ -94,15 +93,16 @@ public final class SwingTheme extends DefaultMetalTheme {
         return new ColorUIResource(color);
     }
 
-    private static BorderUIResource border(int top, int left, int bottom, int right) {
-        Insets insets = new Insets(top, left, bottom, right);
+    private BorderUIResource border(int top, int left, int bottom, int right) {
+        Insets insets = new Insets(look.px(top), look.px(left), look.px(bottom), look.px(right));
         return new BorderUIResource(
                 BorderFactory.createEmptyBorder(insets.top, insets.left, insets.bottom, insets.right));
     }
 
     private BorderUIResource frame(int padding) {
         Border line = BorderFactory.createLineBorder(look.color(Tone.LINE));
-        Border space = BorderFactory.createEmptyBorder(padding, padding + 2, padding, padding + 2);
+        Border space = BorderFactory.createEmptyBorder(
+                look.px(padding), look.px(padding + 2), look.px(padding), look.px(padding + 2));
         return new BorderUIResource(BorderFactory.createCompoundBorder(line, space));
     }
 
@@ -152,7 +152,7 @@ public final class SwingTheme extends DefaultMetalTheme {
     }
 
     private FontUIResource plain() {
-        return new FontUIResource(Theme.font(Look.TEXT_SIZE).deriveFont(Font.PLAIN));
+        return new FontUIResource(look.font().deriveFont(Font.PLAIN));
     }
 
     @Override

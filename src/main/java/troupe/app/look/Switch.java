@@ -25,15 +25,16 @@ public final class Switch extends JToggleButton {
     @Override
     protected void paintComponent(Graphics graphics) {
         Graphics2D g = Look.smooth(graphics);
-        int top = (getHeight() - HEIGHT) / 2;
+        g.translate(0, (getHeight() - HEIGHT * look.scale()) / 2);
+        g.scale(look.scale(), look.scale());
         g.setColor(look.color(isSelected() ? Tone.ACCENT : Tone.LINE));
-        g.fillRoundRect(0, top, WIDTH, HEIGHT, HEIGHT, HEIGHT);
+        g.fillRoundRect(0, 0, WIDTH, HEIGHT, HEIGHT, HEIGHT);
         if (isFocusOwner()) {
             g.setColor(look.color(Tone.TEXT));
-            g.drawRoundRect(0, top, WIDTH - 1, HEIGHT - 1, HEIGHT, HEIGHT);
+            g.drawRoundRect(0, 0, WIDTH - 1, HEIGHT - 1, HEIGHT, HEIGHT);
         }
         g.setColor(look.color(Tone.PANEL));
-        g.fillOval(isSelected() ? WIDTH - 15 : 2, top + 2, 13, 13);
+        g.fillOval(isSelected() ? WIDTH - 15 : 2, 2, 13, 13);
         g.dispose();
     }
 }

@@ -18,30 +18,36 @@ public final class ThinSliderUI extends BasicSliderUI {
         this.look = look;
     }
 
+    private int knob() {
+        return look.px(KNOB);
+    }
+
     @Override
     protected Dimension getThumbSize() {
-        return new Dimension(KNOB, KNOB);
+        return new Dimension(knob(), knob());
     }
 
     @Override
     public void paintTrack(Graphics graphics) {
         Graphics2D g = Look.smooth(graphics);
-        int y = trackRect.y + trackRect.height / 2 - 1;
-        int knob = thumbRect.x + KNOB / 2;
+        int thick = look.px(3);
+        int y = trackRect.y + (trackRect.height - thick) / 2;
+        int knob = thumbRect.x + knob() / 2;
         g.setColor(look.color(Tone.LINE));
-        g.fillRoundRect(trackRect.x, y, trackRect.width, 3, 3, 3);
+        g.fillRoundRect(trackRect.x, y, trackRect.width, thick, thick, thick);
         g.setColor(look.color(slider.isEnabled() ? Tone.ACCENT : Tone.LINE));
-        g.fillRoundRect(trackRect.x, y, knob - trackRect.x, 3, 3, 3);
+        g.fillRoundRect(trackRect.x, y, knob - trackRect.x, thick, thick, thick);
         g.dispose();
     }
 
     @Override
     public void paintThumb(Graphics graphics) {
         Graphics2D g = Look.smooth(graphics);
+        int edge = look.px(2);
         g.setColor(look.color(slider.isEnabled() ? Tone.ACCENT : Tone.LINE));
-        g.fillOval(thumbRect.x, thumbRect.y, KNOB, KNOB);
+        g.fillOval(thumbRect.x, thumbRect.y, knob(), knob());
         g.setColor(look.color(slider.isFocusOwner() ? Tone.ACCENT : Tone.PANEL));
-        g.fillOval(thumbRect.x + 2, thumbRect.y + 2, KNOB - 4, KNOB - 4);
+        g.fillOval(thumbRect.x + edge, thumbRect.y + edge, knob() - 2 * edge, knob() - 2 * edge);
         g.dispose();
     }
 

@@ -18,7 +18,6 @@ import troupe.app.look.Drawn;
 import troupe.app.look.Look;
 import troupe.app.look.ThinScrollBarUI;
 import troupe.app.session.Session;
-import troupe.paint.Theme;
 import troupe.paint.Tone;
 
 /** Lists the steps of the undo history, those that were taken back dim; a click, or an arrow key, goes there. */
@@ -35,7 +34,7 @@ public final class HistoryPanel extends Panel {
         setPreferredSize(new Dimension(100, 240));
         setBorder(look.line(1, 0, 0, 0));
         JLabel heading = look.label(look.text("history.name"), Tone.DIM);
-        heading.setFont(Theme.bold(11.5f));
+        heading.setFont(look.bold(11.5f));
         heading.setBorder(BorderFactory.createEmptyBorder(8, 14, 4, 14));
         add(heading, BorderLayout.NORTH);
         list.setName("history.list");
@@ -114,7 +113,7 @@ public final class HistoryPanel extends Panel {
             }
             g.setFont(look().font());
             g.setColor(undone ? look().mix(Tone.DIM, Tone.PANEL, 0.6) : look().color(Tone.TEXT));
-            g.drawString(Ellipsis.fit(step, g.getFontMetrics(), getWidth() - 28), 14, getHeight() / 2 + 4);
+            g.drawString(Ellipsis.fit(step, g.getFontMetrics(), getWidth() - look().px(28)), look().px(14), getHeight() / 2 + look().px(4));
             g.dispose();
         }
     }

@@ -21,7 +21,6 @@ import troupe.app.look.Drawn;
 import troupe.app.look.Look;
 import troupe.app.look.ThinScrollBarUI;
 import troupe.app.session.Session;
-import troupe.paint.Theme;
 import troupe.paint.Tone;
 
 /** Lists what the scene holds: layers, actors, obstacles, tasks, problems. A click selects. */
@@ -149,7 +148,7 @@ public final class OutlinePanel extends Panel {
             row = value;
             selected = chosen || current(value);
             boolean heading = value.kind() == OutlineRow.Kind.HEADING;
-            setPreferredSize(new Dimension(100, heading ? ROW + 6 : ROW));
+            setPreferredSize(new Dimension(100, look().px(heading ? ROW + 6 : ROW)));
             getAccessibleContext().setAccessibleName(value.name() + " " + value.note());
             setToolTipText(value.kind() == OutlineRow.Kind.PROBLEM ? value.hint() : null);
             return this;
@@ -158,11 +157,11 @@ public final class OutlinePanel extends Panel {
         @Override
         protected void paintComponent(Graphics graphics) {
             Graphics2D g = Look.smooth(graphics);
-            int base = getHeight() / 2 + 4;
+            int base = getHeight() / 2 + look().px(4);
             if (row.kind() == OutlineRow.Kind.HEADING) {
-                g.setFont(Theme.bold(11.5f));
+                g.setFont(look().bold(11.5f));
                 g.setColor(look().color(Tone.DIM));
-                g.drawString(row.name(), 14, base + 3);
+                g.drawString(row.name(), look().px(14), base + look().px(3));
                 g.dispose();
                 return;
             }
@@ -174,21 +173,24 @@ public final class OutlinePanel extends Panel {
             g.setFont(look().font());
             g.setColor(look().color(Tone.DIM));
             int noteWidth = g.getFontMetrics().stringWidth(row.note());
-            g.drawString(row.note(), getWidth() - 14 - noteWidth, base);
+            g.drawString(row.note(), getWidth() - look().px(14) - noteWidth, base);
             g.setColor(look().color(Tone.TEXT));
-            int room = getWidth() - 14 - noteWidth - 8 - 34;
-            g.drawString(Ellipsis.fit(row.name(), g.getFontMetrics(), room), 34, base);
+            int room = getWidth() - noteWidth - look().px(14 + 8 + 34);
+            g.drawString(Ellipsis.fit(row.name(), g.getFontMetrics(), room), look().px(34), base);
             g.dispose();
         }
 
-        private void paintSwatch(Graphics2D g, Color color, boolean round) {
-            int y = getHeight() / 2 - 5;
+        private void paintSwatch(Graphics2D graphics, Color color, boolean round) {
+            Graphics2D g = (Graphics2D) graphics.create();
+            g.translate(look().px(15), getHeight() / 2.0 - look().px(5));
+            g.scale(look().scale(), look().scale());
             g.setColor(color);
-            g.fillRoundRect(15, y, 11, 11, round ? 11 : 5, round ? 11 : 5);
+            g.fillRoundRect(0, 0, 11, 11, round ? 11 : 5, round ? 11 : 5);
             if (color.equals(look().color(Tone.FLOOR))) {
                 g.setColor(look().color(Tone.DIM));
-                g.drawRoundRect(15, y, 10, 10, 5, 5);
+                g.drawRoundRect(0, 0, 10, 10, 5, 5);
             }
+            g.dispose();
         }
     }
 }

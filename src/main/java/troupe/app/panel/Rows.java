@@ -10,7 +10,6 @@ import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import troupe.app.look.Look;
-import troupe.paint.Theme;
 import troupe.paint.Tone;
 
 /** Lays out rows of a dim label and its field, under a heading. */
@@ -32,7 +31,7 @@ final class Rows {
     /** Adds a heading. */
     Rows heading(String text) {
         JLabel label = look.label(text, Tone.TEXT);
-        label.setFont(Theme.bold(13));
+        label.setFont(look.bold(13));
         add(label, 0, 2, new Insets(0, 0, 8, 0));
         return this;
     }
@@ -40,7 +39,7 @@ final class Rows {
     /** Adds a small heading of a group of rows. */
     Rows subheading(String text) {
         JLabel label = look.label(text, Tone.DIM);
-        label.setFont(Theme.bold(11.5f));
+        label.setFont(look.bold(11.5f));
         add(label, 0, 2, new Insets(8, 0, 2, 0));
         return this;
     }

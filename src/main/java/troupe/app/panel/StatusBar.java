@@ -63,7 +63,7 @@ public final class StatusBar extends Panel {
             cancel.setSelected(false);
             session.planner().cancel();
         });
-        Look.sized(cancel, cancel.getPreferredSize().width, 20);
+        Look.sized(cancel, (int) Math.ceil(cancel.getPreferredSize().width / look.scale()), 20);
         patience = new Timer(PATIENCE_MS, e -> showWork(true));
         patience.setRepeats(false);
         build();
@@ -236,7 +236,7 @@ public final class StatusBar extends Panel {
         protected void paintComponent(Graphics graphics) {
             Graphics2D g = Look.smooth(graphics);
             g.setColor(look().color(state));
-            g.fillOval(1, 2, 8, 8);
+            g.fillOval(look().px(1), look().px(2), look().px(8), look().px(8));
             g.dispose();
         }
     }
@@ -253,12 +253,13 @@ public final class StatusBar extends Panel {
         @Override
         protected void paintComponent(Graphics graphics) {
             Graphics2D g = Look.smooth(graphics);
-            int y = getHeight() / 2 - 2;
+            int thick = look().px(4);
+            int y = (getHeight() - thick) / 2;
             g.setColor(look().color(Tone.LINE));
-            g.fillRoundRect(0, y, getWidth(), 4, 4, 4);
+            g.fillRoundRect(0, y, getWidth(), thick, thick, thick);
             g.setColor(look().color(Tone.ACCENT));
             int width = Double.isNaN(share) ? getWidth() / 3 : (int) (getWidth() * share);
-            g.fillRoundRect(0, y, width, 4, 4, 4);
+            g.fillRoundRect(0, y, width, thick, thick, thick);
             g.dispose();
         }
     }

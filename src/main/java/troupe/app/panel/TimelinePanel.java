@@ -20,7 +20,6 @@ import troupe.app.look.Texts;
 import troupe.app.play.Figures;
 import troupe.app.play.Playback;
 import troupe.app.session.Session;
-import troupe.paint.Theme;
 import troupe.paint.Tone;
 import troupe.run.Run;
 import troupe.scene.Ability;
@@ -52,8 +51,7 @@ public final class TimelinePanel extends Panel {
     }
 
     private JPanel controls(List<Action> transport) {
-        JPanel buttons = new JPanel(new FlowLayout(FlowLayout.LEFT, 4, 0));
-        buttons.setOpaque(false);
+        JPanel buttons = line(4);
         for (Action action : transport) {
             FlatButton button = new FlatButton(look(), FlatButton.Style.ICON, action);
             button.setName("transport." + action.getValue(Action.ACTION_COMMAND_KEY));
@@ -64,18 +62,16 @@ public final class TimelinePanel extends Panel {
         speed.addActionListener(e -> chooseSpeed());
         buttons.add(Box.createHorizontalStrut(2));
         buttons.add(speed);
-        clock.setFont(Theme.bold(20));
+        clock.setFont(look().bold(20));
         clock.setForeground(look().color(Tone.TEXT));
         length.setFont(look().font());
         length.setForeground(look().color(Tone.DIM));
         doing.setFont(look().font());
         doing.setForeground(look().color(Tone.DIM));
-        JPanel times = new JPanel(new FlowLayout(FlowLayout.LEFT, 8, 0));
-        times.setOpaque(false);
+        JPanel times = line(8);
         times.add(clock);
         times.add(length);
-        JPanel line = new JPanel(new FlowLayout(FlowLayout.LEFT, 8, 0));
-        line.setOpaque(false);
+        JPanel line = line(8);
         line.add(doing);
         JPanel all = new JPanel();
         all.setLayout(new BoxLayout(all, BoxLayout.Y_AXIS));
@@ -88,10 +84,21 @@ public final class TimelinePanel extends Panel {
         all.add(Box.createVerticalGlue());
         for (JPanel part : List.of(buttons, times, line)) {
             part.setAlignmentX(LEFT_ALIGNMENT);
-            part.setMaximumSize(new Dimension(CONTROLS, part.getPreferredSize().height));
         }
         all.setPreferredSize(new Dimension(CONTROLS, 100));
         return all;
+    }
+
+    /** Makes a line as wide as the panel and no higher than it needs to be. */
+    private static JPanel line(int gap) {
+        JPanel line = new JPanel(new FlowLayout(FlowLayout.LEFT, gap, 0)) {
+            @Override
+            public Dimension getMaximumSize() {
+                return new Dimension(Short.MAX_VALUE, getPreferredSize().height);
+            }
+        };
+        line.setOpaque(false);
+        return line;
     }
 
     private void chooseSpeed() {

@@ -31,17 +31,21 @@ import troupe.scene.Ability;
 
 /** Shows a run over its time: seconds, a bar in the colours of the abilities, the energy spent. Dragging scrubs. */
 final class TimelineView extends Drawn {
-    private static final int BAR_TOP = 20;
-    private static final int BAR_HEIGHT = 20;
-    private static final int PLOT_TOP = 50;
-    private static final int SIDE = 6;
     private static final double[] STEPS = {0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 30, 60, 120, 300, 600};
 
     private final transient Look look;
     private final transient Session session;
+    private final int barTop;
+    private final int barHeight;
+    private final int plotTop;
+    private final int side;
 
     TimelineView(Look look, Session session, Consumer<Runnable> observing) {
         this.look = look;
+        this.barTop = look.px(20);
+        this.barHeight = look.px(20);
+        this.plotTop = look.px(50);
+        this.side = look.px(6);
         this.session = session;
         setName("timeline.view");
         setFocusable(true);
@@ -81,16 +85,16 @@ final class TimelineView extends Drawn {
     }
 
     private double width() {
-        return Math.max(1, getWidth() - 2.0 * SIDE);
+        return Math.max(1, getWidth() - 2.0 * side);
     }
 
     private double timeAt(int x) {
-        return (x - SIDE) / width() * session.playback().duration();
+        return (x - side) / width() * session.playback().duration();
     }
 
     private double xAt(double time) {
         double duration = session.playback().duration();
-        return SIDE + (duration <= 0 ? 0 : time / duration * width());
+        return side + (duration <= 0 ? 0 : time / duration * width());
     }
 
     @Override
@@ -100,7 +104,7 @@ final class TimelineView extends Drawn {
         Optional<Run> run = session.run().filter(r -> !r.legs().isEmpty());
         if (run.isEmpty() || session.playback().duration() <= 0) {
             g.setColor(look.color(Tone.SOFT));
-            g.fill(new RoundRectangle2D.Double(SIDE, BAR_TOP, width(), BAR_HEIGHT, 8, 8));
+            g.fill(new RoundRectangle2D.Double(side, barTop, width(), barHeight, look.px(8), look.px(8)));
         } else {
             paintSeconds(g);
             paintBar(g, run.get());
@@ -114,7 +118,7 @@ final class TimelineView extends Drawn {
         double duration = session.playback().duration();
         double step = STEPS[STEPS.length - 1];
         for (int i = STEPS.length - 1; i >= 0; i--) {
-            if (STEPS[i] / duration * width() >= 64) {
+            if (STEPS[i] / duration * width() >= look.px(64)) {
                 step = STEPS[i];
             }
         }
@@ -122,7 +126,7 @@ final class TimelineView extends Drawn {
         for (int k = 0; k * step <= duration + 1e-9; k++) {
             String text = Texts.number(k * step, step < 1 ? 1 : 0) + (k == 1 ? " s" : "");
             double x = Math.min(xAt(k * step), getWidth() - g.getFontMetrics().stringWidth(text));
-            g.drawString(text, (float) x, 12);
+            g.drawString(text, (float) x, look.px(12));
         }
     }
 
@@ -133,12 +137,12 @@ final class TimelineView extends Drawn {
             double to = Math.max(from + 2, xAt(stretch.end()) - 2);
             Color color = stretch.ability().map(look.theme()::color).orElse(look.color(Tone.DIM));
             g.setColor(color);
-            g.fill(new RoundRectangle2D.Double(from, BAR_TOP, to - from, BAR_HEIGHT, 8, 8));
+            g.fill(new RoundRectangle2D.Double(from, barTop, to - from, barHeight, look.px(8), look.px(8)));
             for (String text : texts(run, stretch)) {
-                if (metrics.stringWidth(text) + 14 <= to - from) {
+                if (metrics.stringWidth(text) + look.px(14) <= to - from) {
                     g.setFont(look.bold());
                     g.setColor(look.color(Tone.INK));
-                    g.drawString(text, (float) from + 8, BAR_TOP + (BAR_HEIGHT + metrics.getAscent()) / 2 - 2);
+                    g.drawString(text, (float) from + look.px(8), barTop + (barHeight + metrics.getAscent()) / 2 - 2);
                     break;
                 }
             }
@@ -158,9 +162,9 @@ final class TimelineView extends Drawn {
     }
 
     private void paintPlot(Graphics2D g, Run run) {
-        double bottom = getHeight() - 8.0;
-        double top = PLOT_TOP + 18.0;
-        if (bottom - top < 12) {
+        double bottom = getHeight() - look.px(8);
+        double top = plotTop + look.px(18);
+        if (bottom - top < look.px(12)) {
             return;
         }
         double most = Math.max(1e-9, Figures.energy(run));
@@ -177,14 +181,14 @@ final class TimelineView extends Drawn {
         g.fill(area);
         g.setColor(look.color(Tone.LINE));
         g.setStroke(Theme.line(1));
-        g.draw(new Line2D.Double(SIDE, bottom, SIDE + width(), bottom));
+        g.draw(new Line2D.Double(side, bottom, side + width(), bottom));
         g.setColor(look.color(Tone.ACCENT));
-        g.setStroke(Theme.line(1.8f));
+        g.setStroke(Theme.line(look.px(1.8)));
         g.draw(line);
         g.setColor(look.color(Tone.DIM));
-        g.drawString(look.text("plot.energy"), SIDE, PLOT_TOP + 10);
+        g.drawString(look.text("plot.energy"), side, plotTop + look.px(10));
         String total = Texts.number(most, 1);
-        g.drawString(total, (float) (SIDE + width() - g.getFontMetrics().stringWidth(total)), PLOT_TOP + 10);
+        g.drawString(total, (float) (side + width() - g.getFontMetrics().stringWidth(total)), plotTop + look.px(10));
     }
 
     private static double y(double energy, double most, double top, double bottom) {
@@ -193,13 +197,15 @@ final class TimelineView extends Drawn {
 
     private void paintHead(Graphics2D g) {
         double x = xAt(session.playback().time());
+        double knob = look.px(8);
+        double ring = look.px(12);
         g.setColor(look.color(Tone.TEXT));
         g.setStroke(Theme.line(1.4f));
-        g.draw(new Line2D.Double(x, BAR_TOP - 4, x, getHeight() - 4.0));
-        g.fill(new Ellipse2D.Double(x - 4, BAR_TOP - 8, 8, 8));
+        g.draw(new Line2D.Double(x, barTop - 4, x, getHeight() - 4.0));
+        g.fill(new Ellipse2D.Double(x - knob / 2, barTop - knob, knob, knob));
         if (isFocusOwner()) {
             g.setColor(look.color(Tone.ACCENT));
-            g.draw(new Ellipse2D.Double(x - 6, BAR_TOP - 10, 12, 12));
+            g.draw(new Ellipse2D.Double(x - ring / 2, barTop - (knob + ring) / 2, ring, ring));
         }
     }
 }

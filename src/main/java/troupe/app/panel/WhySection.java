@@ -166,12 +166,12 @@ final class WhySection extends Panel {
                 Line line = lines.get(i);
                 g.setFont(line.strong() ? look().bold() : look().font());
                 FontMetrics metrics = g.getFontMetrics();
-                int base = i * ROW + 14;
+                int base = i * look().px(ROW) + look().px(14);
                 g.setColor(look().color(Tone.TEXT));
                 g.drawString(line.what(), 0, base);
                 boolean way = !line.length().isEmpty();
                 g.setColor(look().color(way ? Tone.TEXT : Tone.DIM));
-                int right = getWidth() - (way ? LENGTH : 0);
+                int right = getWidth() - (way ? look().px(LENGTH) : 0);
                 g.drawString(line.energy(), right - metrics.stringWidth(line.energy()), base);
                 g.setFont(look().font());
                 g.setColor(look().color(Tone.DIM));
@@ -198,7 +198,7 @@ final class WhySection extends Panel {
             setBackground(look().color(Tone.SOFT));
             setBorder(javax.swing.BorderFactory.createEmptyBorder(8, 10, 8, 10));
             setColumns(18);
-            setSize(240, 10);
+            setSize(look().px(240), 10);
         }
     }
 }

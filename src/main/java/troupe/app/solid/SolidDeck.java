@@ -95,6 +95,7 @@ public final class SolidDeck extends JPanel {
         boolean room = canvas.getWidth() >= ROOM.width && canvas.getHeight() >= ROOM.height;
         boolean shown = mode == SolidMode.INSET && room;
         corner.setVisible(shown || canvas.getWidth() == 0);
-        canvas.leaveCorner(shown ? new Dimension(CARD.width + 2 * GAP, CARD.height + GAP) : new Dimension());
+        Dimension size = view.getPreferredSize();
+        canvas.leaveCorner(shown ? new Dimension(size.width + 2 * GAP, size.height + GAP) : new Dimension());
     }
 }

@@ -191,7 +191,7 @@ public final class SolidView extends Panel {
         }
         g.setFont(look().font());
         g.setColor(look().color(isFocusOwner() ? Tone.ACCENT : Tone.DIM));
-        g.drawString(look().text("solid.caption"), 11, 19);
+        g.drawString(look().text("solid.caption"), look().px(11), look().px(19));
         g.dispose();
     }
 

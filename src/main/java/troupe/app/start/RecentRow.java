@@ -40,27 +40,27 @@ final class RecentRow extends JButton {
         Graphics2D g = Look.smooth(graphics);
         if (getModel().isRollover() || isFocusOwner()) {
             g.setColor(isFocusOwner() ? look.selected() : look.hovered());
-            g.fillRoundRect(0, 0, getWidth(), getHeight(), 10, 10);
+            g.fillRoundRect(0, 0, getWidth(), getHeight(), look.px(10), look.px(10));
         }
         if (isFocusOwner()) {
             g.setColor(look.color(Tone.ACCENT));
-            g.drawRoundRect(0, 0, getWidth() - 1, getHeight() - 1, 10, 10);
+            g.drawRoundRect(0, 0, getWidth() - 1, getHeight() - 1, look.px(10), look.px(10));
         }
         g.setFont(getFont());
         FontMetrics metrics = g.getFontMetrics();
         int line = metrics.getHeight();
         int base = (getHeight() - 2 * line) / 2 + metrics.getAscent();
         g.setColor(look.color(Tone.TEXT));
-        g.drawString(shortened(name, metrics), 8, base);
+        g.drawString(shortened(name, metrics), look.px(8), base);
         g.setColor(look.color(Tone.DIM));
-        g.drawString(shortened(folder, metrics), 8, base + line);
+        g.drawString(shortened(folder, metrics), look.px(8), base + line);
         g.dispose();
     }
 
     /** Returns the text, without its beginning where it is too long: the end of a path tells more. */
     private String shortened(String text, FontMetrics metrics) {
         String rest = text;
-        while (rest.length() > 1 && metrics.stringWidth("\u2026" + rest) > getWidth() - 16) {
+        while (rest.length() > 1 && metrics.stringWidth("\u2026" + rest) > getWidth() - look.px(16)) {
             rest = rest.substring(1);
         }
         return rest.length() == text.length() ? text : "\u2026" + rest;

@@ -81,7 +81,7 @@ final class SceneCard extends JButton {
         g.setColor(look.color(Tone.TEXT));
         FontMetrics metrics = g.getFontMetrics();
         int base = below + (getHeight() - below - metrics.getHeight()) / 2 + metrics.getAscent();
-        g.drawString(title, 12, base);
+        g.drawString(title, look.px(12), base);
         g.dispose();
     }
 }

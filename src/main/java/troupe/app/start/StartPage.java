@@ -23,7 +23,6 @@ import javax.swing.KeyStroke;
 import troupe.app.look.FlatButton;
 import troupe.app.look.Look;
 import troupe.app.look.ThinScrollBarUI;
-import troupe.paint.Theme;
 import troupe.paint.Tone;
 import troupe.scene.Scene;
 
@@ -107,7 +106,7 @@ public final class StartPage extends JPanel {
         FlatButton button = new FlatButton(look, FlatButton.Style.PILL);
         button.setText(look.text(text));
         button.setName(name);
-        button.setMaximumSize(new Dimension(Short.MAX_VALUE, button.getPreferredSize().height));
+        button.setMaximumSize(new Dimension(Short.MAX_VALUE, 28));
         button.addActionListener(e -> {
             button.setSelected(false);
             action.run();
@@ -123,7 +122,7 @@ public final class StartPage extends JPanel {
 
     private JLabel heading(String key, int above) {
         JLabel label = look.label(look.text(key), Tone.TEXT);
-        label.setFont(Theme.bold(13));
+        label.setFont(look.bold(13));
         label.setBorder(BorderFactory.createEmptyBorder(above, 0, 10, 0));
         label.setAlignmentX(LEFT_ALIGNMENT);
         return label;
@@ -161,7 +160,7 @@ public final class StartPage extends JPanel {
             return;
         }
         JLabel title = heading("start.examples", 0);
-        title.setFont(Theme.bold(18));
+        title.setFont(look.bold(18));
         gallery.add(title);
         groups.forEach((folder, files) -> {
             JLabel name = look.label(look.texts().get("start.group." + folder, folder), Tone.DIM);
@@ -193,7 +192,7 @@ public final class StartPage extends JPanel {
                                 4,
                                 getGraphicsConfiguration().getDefaultTransform().getScaleX()));
         ScenePictures.Wanted wanted =
-                new ScenePictures.Wanted(file, look.theme(), SceneCard.WIDTH, SceneCard.HEIGHT, density);
+                new ScenePictures.Wanted(file, look.theme(), look.px(SceneCard.WIDTH), look.px(SceneCard.HEIGHT), density);
         pictures.request(wanted, made -> card.show(made, density));
         return card;
     }
