@@ -134,7 +134,11 @@ final class StudioCommands implements AutoCloseable {
 
     private void addTools() {
         Editing editing = new Editing(
-                session.document(), session.selection(), look.scaled(1), canvas::view, () -> take(commands.get("select")));
+                session.document(),
+                session.selection(),
+                look.scaled(1),
+                canvas::view,
+                () -> take(commands.get("select")));
         addTool(new SelectTool(editing));
         addTool(new DrawPolygonTool(editing, false));
         addTool(new DrawBoxTool(editing, false));

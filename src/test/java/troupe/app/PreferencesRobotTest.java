@@ -57,7 +57,8 @@ class PreferencesRobotTest {
 
     private void choose(String name, String key, String value) {
         studio.click(name);
-        Await.until(name + " is remembered", () -> value.equals(studio.settings().get(key)));
+        Await.until(
+                name + " is remembered", () -> value.equals(studio.settings().get(key)));
     }
 
     @Test
@@ -65,7 +66,8 @@ class PreferencesRobotTest {
         studio.keys(KeyEvent.VK_CONTROL, KeyEvent.VK_COMMA);
         Await.until("the preferences are shown", () -> studio.shows("preferences.theme.dark"));
         choose("preferences.theme.dark", "theme", "dark");
-        assertEquals("dark", OnEventThread.get(() -> studio.window().look().theme().key()));
+        assertEquals(
+                "dark", OnEventThread.get(() -> studio.window().look().theme().key()));
         choose("preferences.language.zh-TW", "language", "zh-TW");
         assertEquals("檔案", OnEventThread.get(() -> studio.window().look().text("menu.file")));
         choose("preferences.live", "live", "false");
@@ -75,8 +77,7 @@ class PreferencesRobotTest {
         choose("preferences.opening.page", "opening", "page");
         int tools = studio.find("tools").getWidth();
         choose("preferences.scale.125", "scale", "125");
-        Await.until(
-                "the tools are larger", () -> studio.find("tools").getWidth() == Math.round(tools * 1.25f));
+        Await.until("the tools are larger", () -> studio.find("tools").getWidth() == Math.round(tools * 1.25f));
         studio.keys(KeyEvent.VK_ESCAPE);
         Await.until("the dialog is closed", () -> !studio.shows("preferences.theme.dark"));
     }

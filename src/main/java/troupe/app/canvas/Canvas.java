@@ -196,15 +196,13 @@ public final class Canvas extends Drawn implements AutoCloseable {
             return whole;
         }
         Viewport beside = Viewport.fit(world, MARGIN, TOP, right - MARGIN, tall);
-        Viewport below =
-                Viewport.fit(world, MARGIN, TOP + corner.height, wide() - 2.0 * MARGIN, tall - corner.height);
+        Viewport below = Viewport.fit(world, MARGIN, TOP + corner.height, wide() - 2.0 * MARGIN, tall - corner.height);
         return beside.scale() >= below.scale() ? beside : below;
     }
 
     /** Leaves so many pixels of the upper right corner free of the scene while the whole of it is shown. */
     public void leaveCorner(Dimension pixels) {
-        Dimension size = new Dimension(
-                (int) Math.ceil(pixels.width / scale), (int) Math.ceil(pixels.height / scale));
+        Dimension size = new Dimension((int) Math.ceil(pixels.width / scale), (int) Math.ceil(pixels.height / scale));
         if (!corner.equals(size)) {
             corner = size;
             if (fitted) {
@@ -220,9 +218,7 @@ public final class Canvas extends Drawn implements AutoCloseable {
 
     /** Returns the present scale as a share of that at which the whole scene just fits. */
     public double zoomShare() {
-        return wide() == 0 || high() == 0
-                ? 1
-                : view.scale() / fitting().scale();
+        return wide() == 0 || high() == 0 ? 1 : view.scale() / fitting().scale();
     }
 
     /** Zooms at the middle of the canvas. */

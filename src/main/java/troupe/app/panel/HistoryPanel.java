@@ -113,7 +113,10 @@ public final class HistoryPanel extends Panel {
             }
             g.setFont(look().font());
             g.setColor(undone ? look().mix(Tone.DIM, Tone.PANEL, 0.6) : look().color(Tone.TEXT));
-            g.drawString(Ellipsis.fit(step, g.getFontMetrics(), getWidth() - look().px(28)), look().px(14), getHeight() / 2 + look().px(4));
+            g.drawString(
+                    Ellipsis.fit(step, g.getFontMetrics(), getWidth() - look().px(28)),
+                    look().px(14),
+                    getHeight() / 2 + look().px(4));
             g.dispose();
         }
     }

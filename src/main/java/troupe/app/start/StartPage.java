@@ -191,8 +191,8 @@ public final class StartPage extends JPanel {
                         Math.min(
                                 4,
                                 getGraphicsConfiguration().getDefaultTransform().getScaleX()));
-        ScenePictures.Wanted wanted =
-                new ScenePictures.Wanted(file, look.theme(), look.px(SceneCard.WIDTH), look.px(SceneCard.HEIGHT), density);
+        ScenePictures.Wanted wanted = new ScenePictures.Wanted(
+                file, look.theme(), look.px(SceneCard.WIDTH), look.px(SceneCard.HEIGHT), density);
         pictures.request(wanted, made -> card.show(made, density));
         return card;
     }
