@@ -113,6 +113,8 @@ final class StudioCommands implements AutoCloseable {
         OverlayChoice overlays = session.overlays();
         commands.addChoice(
                 "view", "legend", overlays.shows(OverlayChoice.LEGEND), on -> overlays.show(OverlayChoice.LEGEND, on));
+        commands.add("view", "nextpanel", () -> PanelFocus.move(window.frame(), true));
+        commands.add("view", "previouspanel", () -> PanelFocus.move(window.frame(), false));
         commands.addChoice("view", "outline", true, window::wantOutline);
         commands.addChoice("view", "inspector", true, window::wantInspector);
         commands.addChoice("view", "timeline", true, window::wantTimeline);

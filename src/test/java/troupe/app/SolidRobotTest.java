@@ -35,7 +35,7 @@ class SolidRobotTest {
     void open() throws Exception {
         Assumptions.assumeFalse(GraphicsEnvironment.isHeadless(), "skipped: there is no display");
         studio = new StudioFixture(folder);
-        studio.keys(KeyEvent.VK_CONTROL, KeyEvent.VK_3);
+        studio.keys(KeyEvent.VK_CONTROL, KeyEvent.VK_ALT, KeyEvent.VK_1);
         Await.until("the card", () -> studio.find("solid").isShowing());
     }
 
@@ -94,7 +94,7 @@ class SolidRobotTest {
 
     @Test
     void itStandsBesideThePlanOrAloneOrAway() {
-        studio.keys(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_3);
+        studio.keys(KeyEvent.VK_CONTROL, KeyEvent.VK_ALT, KeyEvent.VK_2);
         Await.until("beside", () -> view().isShowing() && view().getWidth() > 240);
         assertTrue(studio.window().canvas().isShowing());
         awaitPicture();
@@ -103,7 +103,7 @@ class SolidRobotTest {
                 "alone", () -> view().isShowing() && !studio.window().canvas().isShowing());
         awaitPicture();
         assertEquals("alone", studio.settings().get("solid"));
-        studio.keys(KeyEvent.VK_CONTROL, KeyEvent.VK_3);
+        studio.keys(KeyEvent.VK_CONTROL, KeyEvent.VK_ALT, KeyEvent.VK_1);
         Await.until("in the corner", () -> view().isShowing() && view().getWidth() < 240);
         studio.click("solid.hide");
         Await.until("hidden", () -> !studio.shows("solid"));

@@ -7,6 +7,8 @@ import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
+import java.awt.event.FocusAdapter;
+import java.awt.event.FocusEvent;
 import java.awt.event.MouseEvent;
 import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
@@ -67,6 +69,7 @@ public final class Canvas extends Drawn implements AutoCloseable {
     private boolean fitted = true;
     private transient Dimension corner = new Dimension();
     private boolean snapping = true;
+    private boolean marked;
     private final double scale;
     private transient Tool tool;
     private transient Painters.Prepared prepared;
@@ -98,6 +101,20 @@ public final class Canvas extends Drawn implements AutoCloseable {
         getAccessibleContext().setAccessibleDescription(look.text("canvas.description"));
         observe();
         new CanvasMouse(this);
+        addFocusListener(new FocusAdapter() {
+            @Override
+            public void focusGained(FocusEvent event) {
+                marked = Set.of(FocusEvent.Cause.TRAVERSAL_FORWARD, FocusEvent.Cause.TRAVERSAL_BACKWARD)
+                        .contains(event.getCause());
+                repaint();
+            }
+
+            @Override
+            public void focusLost(FocusEvent event) {
+                marked = false;
+                repaint();
+            }
+        });
         addComponentListener(new ComponentAdapter() {
             @Override
             public void componentResized(ComponentEvent event) {
@@ -395,6 +412,10 @@ public final class Canvas extends Drawn implements AutoCloseable {
         g.scale(scale, scale);
         stack.paint(g, (int) Math.ceil(wide()), (int) Math.ceil(high()), look.color(Tone.CANVAS), view);
         paintCards(g);
+        if (marked) {
+            g.setColor(look.color(Tone.ACCENT));
+            g.draw(new Rectangle2D.Double(0.5, 0.5, wide() - 1, high() - 1));
+        }
         g.dispose();
     }
 

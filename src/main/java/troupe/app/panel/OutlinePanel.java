@@ -141,12 +141,14 @@ public final class OutlinePanel extends Panel {
     private final class Renderer extends Drawn implements ListCellRenderer<OutlineRow> {
         private transient OutlineRow row;
         private boolean selected;
+        private boolean marked;
 
         @Override
         public Component getListCellRendererComponent(
                 JList<? extends OutlineRow> all, OutlineRow value, int index, boolean chosen, boolean focused) {
             row = value;
             selected = chosen || current(value);
+            marked = focused && all.isFocusOwner();
             boolean heading = value.kind() == OutlineRow.Kind.HEADING;
             setPreferredSize(new Dimension(100, look().px(heading ? ROW + 6 : ROW)));
             getAccessibleContext().setAccessibleName(value.name() + " " + value.note());
@@ -168,6 +170,10 @@ public final class OutlinePanel extends Panel {
             if (selected) {
                 g.setColor(look().selected());
                 g.fillRect(0, 0, getWidth(), getHeight());
+            }
+            if (marked) {
+                g.setColor(look().color(Tone.ACCENT));
+                g.drawRect(0, 0, getWidth() - 1, getHeight() - 1);
             }
             paintSwatch(g, row.color(), row.round());
             g.setFont(look().font());

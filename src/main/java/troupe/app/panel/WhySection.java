@@ -186,6 +186,7 @@ final class WhySection extends Panel {
         private Note(String text) {
             super(text);
             setName("why.note");
+            getAccessibleContext().setAccessibleName(look().text("inspector.why"));
             // a caret that follows the text would scroll the panel down to the note whenever it changes
             DefaultCaret still = new DefaultCaret();
             still.setUpdatePolicy(DefaultCaret.NEVER_UPDATE);
