@@ -149,7 +149,9 @@ class AccessibilityRobotTest {
             studio.keys(KeyEvent.VK_F6);
             reached.add(OnEventThread.get(this::panelOfFocus));
         }
-        assertEquals(Set.copyOf(PANELS), Set.copyOf(reached).stream().filter(PANELS::contains).collect(java.util.stream.Collectors.toSet()));
+        assertEquals(
+                Set.copyOf(PANELS),
+                Set.copyOf(reached).stream().filter(PANELS::contains).collect(java.util.stream.Collectors.toSet()));
         OnEventThread.run(() -> studio.window().canvas().requestFocusInWindow());
         Await.until("the canvas has the keys", () -> studio.window().canvas().isFocusOwner());
         studio.keys(KeyEvent.VK_F6);
