@@ -40,6 +40,7 @@ public final class CrowdEngine implements Simulation {
     private int taken;
     private Ground ground;
     private Flock flock;
+    private Splitting splitting;
     private Outcome outcome = Outcome.RUNNING;
     private long steps;
 
@@ -73,6 +74,7 @@ public final class CrowdEngine implements Simulation {
                 report.prepared(System.nanoTime() - begin);
             } else {
                 takeInputs();
+                splitting.renew(steps);
                 flock.step(steps);
                 report.moved(System.nanoTime() - begin);
             }
@@ -100,6 +102,7 @@ public final class CrowdEngine implements Simulation {
                 }
             }
             measureGoals();
+            splitting = new Splitting(crowd, kin, ground, agents, world);
             flock = new Flock(crowd, kin, agents, world[0], world[1], sweep);
         } catch (GridLimitException tooMuch) {
             outcome = new Outcome.Infeasible(tooMuch.getMessage());

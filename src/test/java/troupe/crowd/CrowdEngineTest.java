@@ -23,7 +23,6 @@ import troupe.scene.Place;
 import troupe.scene.Scene;
 import troupe.scene.SceneException;
 import troupe.scene.SceneXml;
-import troupe.scene.Settings;
 import troupe.scene.World;
 import troupe.search.Outcome;
 
@@ -57,17 +56,6 @@ class CrowdEngineTest {
         Run run = run(hall(each, 20));
         assertEquals(Optional.empty(), new Legality(run).fault());
         assertTrue(run.frames().count() > 100, run.outcome().toString());
-    }
-
-    @ParameterizedTest
-    @ValueSource(strings = {"fork", "narrow-bridge"})
-    void nobodyOverlapsInSampleScenes(String name) throws IOException, SceneException {
-        for (String motion : List.of("anticipate", "paper")) {
-            Scene scene = scene(name);
-            String task = scene.tasks().get(0).id();
-            scene = Settings.apply(Settings.apply(scene, task, "motion", motion), task, "seconds", "40");
-            assertEquals(Optional.empty(), new Legality(run(scene)).fault(), motion);
-        }
     }
 
     @Test

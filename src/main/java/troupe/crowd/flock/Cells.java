@@ -41,6 +41,8 @@ final class Cells {
     final long[] rank;
 
     final int[] yielding;
+    /** The potential of NF2 that is left, in metres. */
+    final float[] left;
 
     /** Makes room for the agents of a world. */
     Cells(int count, double width, double depth, double view) {
@@ -69,6 +71,7 @@ final class Cells {
         pathY = new double[count];
         rank = new long[count];
         yielding = new int[count];
+        left = new float[count];
     }
 
     /** Sorts the agents where they stand now. */

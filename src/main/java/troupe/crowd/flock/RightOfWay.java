@@ -11,6 +11,9 @@ final class RightOfWay {
     private static final int LEAST = 30;
     /** Steps of standing still before somebody gives way. */
     private static final int PATIENCE = 12;
+    /** Steps for which one goes back that stands shoulder to shoulder with another of its flow. */
+    private static final int BRIEF = 10;
+
     /** By so many steps those behind give way for a shorter time. */
     private static final int FADING = 2;
 
@@ -38,6 +41,13 @@ final class RightOfWay {
             double reach = cells.radius[k] + cells.radius[j];
             double squared = dx * dx + dy * dy;
             boolean ahead = dx * cells.pathX[k] + dy * cells.pathY[k] > 0;
+            if (still >= PATIENCE && cells.rank[j] == cells.rank[k] && squared < (reach + 0.04) * (reach + 0.04)) {
+                // shoulder to shoulder in one flow: the one that is behind lets the other go first
+                boolean behind = cells.left[j] < cells.left[k] || cells.left[j] == cells.left[k] && j < k;
+                if (cells.state[j] == Agents.WAITING && behind) {
+                    left = Math.max(left, BRIEF);
+                }
+            }
             if (!ahead) {
                 continue;
             }

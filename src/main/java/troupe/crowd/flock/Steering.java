@@ -27,6 +27,15 @@ final class Steering {
     /** Those who have arrived push so little, whoever they are, that others can settle beside them. */
     private static final double SETTLED_PUSH = 0.3;
 
+    /** The share of the sum of radii within which somebody beside the way is in the way. */
+    private static final double GRAZE = 0.7;
+
+    /** Below this share of the speed that it could have, an agent looks for a way past those ahead. */
+    private static final double SLOW = 0.4;
+
+    /** Metres that an agent keeps from the one before it, so that no pack gets so dense that nobody can move. */
+    private static final double COMFORT = 0.1;
+
     private static final double ACCELERATION = 2.5;
     private static final int NEAR = 96;
     /** Steps of standing still after which an agent tries directions by chance. */
@@ -45,6 +54,8 @@ final class Steering {
     private final double fastest;
     private final long seed;
     private final RightOfWay rightOfWay;
+    private final Steps steps;
+    private final MakingRoom makingRoom;
     private Pull pull;
     private long step;
 
@@ -68,6 +79,9 @@ final class Steering {
         }
         this.widest = radius;
         this.fastest = speed;
+        this.steps = new Steps(cells, out, agents, seed);
+        double reach = widest + fastest * Crowd.STEP_SECONDS;
+        this.makingRoom = new MakingRoom(cells, out, steps, reach, paper ? Double.NaN : nearHeight);
     }
 
     /** Sets the factors and the number of the step to come. */
@@ -99,68 +113,13 @@ final class Steering {
         Sight sight = new Sight();
         for (int k = from; k < to; k++) {
             if (cells.state[k] == Agents.ARRIVED) {
-                makeRoom(k);
+                makingRoom.run(k, step);
             } else {
                 look(k, sight);
                 steer(k, sight);
             }
         }
         return sight.visits;
-    }
-
-    private void stay(int k) {
-        out.x[k] = cells.x[k];
-        out.y[k] = cells.y[k];
-        out.z[k] = cells.z[k];
-        out.span[k] = agents.span[cells.agent[k]];
-        out.headingX[k] = cells.headingX[k];
-        out.headingY[k] = cells.headingY[k];
-        out.speed[k] = 0;
-        out.contactCount[k] = 0;
-    }
-
-    /** Keeps one that has arrived where it is, unless somebody with another goal is stuck beside it: then it steps aside. */
-    private void makeRoom(int k) {
-        stay(k);
-        if (paper) {
-            return;
-        }
-        double x = cells.x[k];
-        double y = cells.y[k];
-        double reach = cells.radius[k] + widest + (cells.topSpeed[k] + fastest) * Crowd.STEP_SECONDS;
-        double asideX = 0;
-        double asideY = 0;
-        int count = 0;
-        int lastCol = cells.col(x + reach);
-        int firstCol = cells.col(x - reach);
-        int lastRow = cells.row(y + reach);
-        for (int row = cells.row(y - reach); row <= lastRow; row++) {
-            int end = cells.end(lastCol, row);
-            for (int j = cells.start(firstCol, row); j < end; j++) {
-                double dx = x - cells.x[j];
-                double dy = y - cells.y[j];
-                if (j == k
-                        || dx * dx + dy * dy >= reach * reach * 1.000001
-                        || Math.abs(cells.z[j] - cells.z[k]) >= nearHeight) {
-                    continue;
-                }
-                if (count < Proposals.CONTACTS) {
-                    out.contacts[k * Proposals.CONTACTS + count] = j;
-                }
-                count++;
-                if (cells.state[j] == Agents.WAITING && cells.rank[j] != cells.rank[k]) {
-                    double along = dx * cells.pathX[j] + dy * cells.pathY[j];
-                    asideX += dx - 0.7 * along * cells.pathX[j];
-                    asideY += dy - 0.7 * along * cells.pathY[j];
-                }
-            }
-        }
-        double length = Math.sqrt(asideX * asideX + asideY * asideY);
-        if (length > 1e-6) {
-            out.contactCount[k] = count;
-            int agent = cells.agent[k];
-            move(k, agent, asideX / length, asideY / length, 0.4 * cells.topSpeed[k]);
-        }
     }
 
     private void look(int k, Sight s) {
@@ -278,6 +237,7 @@ final class Steering {
             int agent = cells.agent[k];
             Way way = agents.way[agent];
             int span = agents.span[agent];
+            cells.left[k] = way.potential(span);
             cells.rank[k] = RightOfWay.rank(seed, way.goal());
             if (cells.state[k] == Agents.ARRIVED) {
                 cells.pathX[k] = 0;
@@ -357,12 +317,42 @@ final class Steering {
             hy = sin * headingX + cos * headingY;
             speed = 0.4 * speed;
         } else {
-            double free = room(k, hx, hy, s) / TIME_GAP;
-            speed = Math.min(Math.min(speed, free), cells.speed[k] + ACCELERATION * Crowd.STEP_SECONDS);
+            double most = Math.min(speed, cells.speed[k] + ACCELERATION * Crowd.STEP_SECONDS);
+            speed = Math.min(most, room(k, hx, hy, s) / TIME_GAP);
+            if (speed < SLOW * most) {
+                int turn = turn(k, agent, hx, hy, most, s);
+                double cos = Steps.TURN_COS[turn];
+                double sin = Steps.TURN_SIN[turn];
+                double x = cos * hx - sin * hy;
+                hy = sin * hx + cos * hy;
+                hx = x;
+                speed = Math.min(most, room(k, hx, hy, s) / TIME_GAP);
+            }
         }
         out.headingX[k] = chance ? cells.headingX[k] : headingX;
         out.headingY[k] = chance ? cells.headingY[k] : headingY;
-        move(k, agent, hx, hy, speed);
+        steps.move(k, agent, hx, hy, speed, step);
+    }
+
+    /** Returns the turn that gets one on fastest past those who are in the way; an index of {@link #Steps.TURN_COS}. */
+    private int turn(int k, int agent, double hx, double hy, double most, Sight s) {
+        Terrain terrain = agents.way[agent].terrain();
+        double reach = cells.topSpeed[k] * Crowd.STEP_SECONDS;
+        int best = 0;
+        double gained = 0;
+        for (int turn = 0; turn < Steps.TURN_COS.length - 2; turn++) {
+            double cos = Steps.TURN_COS[turn];
+            double sin = Steps.TURN_SIN[turn];
+            double x = cos * hx - sin * hy;
+            double y = sin * hx + cos * hy;
+            double gain = cos * Math.min(most, room(k, x, y, s) / TIME_GAP);
+            if (gain > gained * 1.05
+                    && terrain.step(agents.span[agent], cells.x[k] + x * reach, cells.y[k] + y * reach) >= 0) {
+                gained = gain;
+                best = turn;
+            }
+        }
+        return best;
     }
 
     /** Returns the free way in metres in a direction, up to the first that stands or goes there. */
@@ -375,53 +365,12 @@ final class Steering {
             double along = dx * hx + dy * hy;
             double across = dx * hy - dy * hx;
             double reach = cells.radius[k] + cells.radius[j];
-            double root = reach * reach - across * across;
-            if (along > 0 && root > 0) {
-                room = Math.min(room, along - Math.sqrt(root));
+            // who is only grazed does not slow one down: the rounds settle who goes first
+            boolean inTheWay = Math.abs(across) < GRAZE * reach && along > 0;
+            if (inTheWay) {
+                room = Math.min(room, along - Math.sqrt(reach * reach - across * across));
             }
         }
-        return Math.max(0, room);
-    }
-
-    /** Proposes a step; beside a wall, the nearest direction in which it is legal. */
-    private void move(int k, int agent, double hx, double hy, double speed) {
-        Terrain terrain = agents.way[agent].terrain();
-        int from = agents.span[agent];
-        double length = speed * Crowd.STEP_SECONDS;
-        int first = (Chance.bits(seed, 3, agent, step) & 1) == 0 ? 1 : -1;
-        for (int attempt = 0; attempt < TURN_COS.length; attempt++) {
-            double sin = TURN_SIN[attempt] * first;
-            double x = cells.x[k] + (TURN_COS[attempt] * hx - sin * hy) * length;
-            double y = cells.y[k] + (sin * hx + TURN_COS[attempt] * hy) * length;
-            int to = length > 0 ? terrain.step(from, x, y) : -1;
-            if (to >= 0) {
-                out.x[k] = x;
-                out.y[k] = y;
-                out.z[k] = terrain.elevation(to);
-                out.span[k] = to;
-                out.speed[k] = speed;
-                return;
-            }
-        }
-        double headingX = out.headingX[k];
-        double headingY = out.headingY[k];
-        int contacts = out.contactCount[k];
-        stay(k);
-        out.headingX[k] = headingX;
-        out.headingY[k] = headingY;
-        out.contactCount[k] = contacts;
-    }
-
-    private static final double[] TURN_COS = turns(true);
-    private static final double[] TURN_SIN = turns(false);
-
-    /** Returns the cosines or sines of turns by 0, 30, -30, 60, -60, 90 and -90 degrees. */
-    private static double[] turns(boolean cosine) {
-        double[] made = new double[7];
-        for (int i = 0; i < made.length; i++) {
-            double angle = (i + 1) / 2 * Math.PI / 6 * (i % 2 == 0 ? -1 : 1);
-            made[i] = cosine ? StrictMath.cos(angle) : StrictMath.sin(angle);
-        }
-        return made;
+        return Math.max(0, room - COMFORT);
     }
 }

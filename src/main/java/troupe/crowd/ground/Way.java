@@ -22,7 +22,11 @@ public final class Way {
     private final int goal;
     private final GridFrame frame;
     private final byte[] next;
+    /** The distance left in metres of NF2, by which arrivals are judged. */
+    private final float[] left;
+    /** What is descended: NF2, or what was set last. */
     private final float[] potential;
+
     private final long[] towards;
 
     /** Takes the potential of NF2 to a goal, an open span. Cost O(spans). */
@@ -31,12 +35,13 @@ public final class Way {
         this.goal = goal;
         this.frame = terrain.region().frame();
         this.next = new byte[terrain.size()];
-        this.potential = new float[terrain.size()];
+        this.left = new float[terrain.size()];
         this.towards = new long[terrain.size()];
         nf2.compute(goal, Journey.Spread.BREADTH);
-        for (int q = 0; q < potential.length; q++) {
-            potential[q] = terrain.open(q) ? (float) nf2.potential(q) : Float.POSITIVE_INFINITY;
+        for (int q = 0; q < left.length; q++) {
+            left[q] = terrain.open(q) ? (float) nf2.potential(q) : Float.POSITIVE_INFINITY;
         }
+        this.potential = left.clone();
         descend();
     }
 
@@ -45,6 +50,7 @@ public final class Way {
         goal = other.goal;
         frame = other.frame;
         next = other.next.clone();
+        left = other.left;
         potential = other.potential.clone();
         towards = other.towards.clone();
     }
@@ -95,12 +101,12 @@ public final class Way {
 
     /** Tells whether the goal can be reached from a span. */
     public boolean reaches(int q) {
-        return potential[q] != Float.POSITIVE_INFINITY;
+        return left[q] != Float.POSITIVE_INFINITY;
     }
 
-    /** Returns the potential of a span; 0 at the goal, infinite where it cannot be reached. */
+    /** Returns NF2's potential of a span in metres, whatever is set; 0 at the goal, infinite where it cannot be reached. */
     public float potential(int q) {
-        return potential[q];
+        return left[q];
     }
 
     /** Returns the direction of {@link GridFrame} to the lowest neighbour of a span, -1 at the goal. */
