@@ -60,8 +60,8 @@ public final class SeekBench {
 
     /** Writes, opens and seeks. */
     public static void main(String[] arguments) throws IOException, RunException {
-        CrowdGroup.Members members = new CrowdGroup.Members(
-                AGENTS, Polygon.rectangle(1, 1, 99, 99), OptionalDouble.empty(), 0.2, 1.3);
+        CrowdGroup.Members members =
+                new CrowdGroup.Members(AGENTS, Polygon.rectangle(1, 1, 99, 99), OptionalDouble.empty(), 0.2, 1.3);
         Crowd crowd = Crowd.of("go", List.of(CrowdGroup.of("all", Place.of(50, 50), members)));
         Scene scene = new Scene("", new World(100, 100, 0.2), List.of(), List.of(), List.of(), List.of(crowd));
         List<Channel> channels = List.of(
