@@ -184,16 +184,13 @@ public final class StartPage extends JPanel {
         SceneCard card = new SceneCard(look, look.texts().get(key, name));
         card.setName(key);
         card.addActionListener(e -> deeds.copy().accept(file));
-        double density = getGraphicsConfiguration() == null
+        double screen = getGraphicsConfiguration() == null
                 ? 1
-                : Math.max(
-                        1,
-                        Math.min(
-                                4,
-                                getGraphicsConfiguration().getDefaultTransform().getScaleX()));
-        ScenePictures.Wanted wanted = new ScenePictures.Wanted(
-                file, look.theme(), look.px(SceneCard.WIDTH), look.px(SceneCard.HEIGHT), density);
-        pictures.request(wanted, made -> card.show(made, density));
+                : getGraphicsConfiguration().getDefaultTransform().getScaleX();
+        double density = Math.max(1, Math.min(4, screen * look.scale()));
+        ScenePictures.Wanted wanted =
+                new ScenePictures.Wanted(file, look.theme(), SceneCard.WIDTH, SceneCard.HEIGHT, density);
+        pictures.request(wanted, made -> card.show(made, density / look.scale()));
         return card;
     }
 
