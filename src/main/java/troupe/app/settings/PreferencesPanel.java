@@ -47,7 +47,11 @@ public final class PreferencesPanel extends JPanel {
         setOpaque(false);
         choice("theme", List.of(Theme.values()), t -> look.text("preferences.theme." + t.key()), settings.theme())
                 .accept(takers.theme());
-        choice("language", Texts.LANGUAGES, l -> look.text("preferences.language." + l.toLanguageTag()), settings.language())
+        choice(
+                        "language",
+                        Texts.LANGUAGES,
+                        l -> look.text("preferences.language." + l.toLanguageTag()),
+                        settings.language())
                 .accept(takers.language());
         choice("scale", StudioSettings.SCALES, s -> s + " %", settings.scale()).accept(takers.scale());
         toggle("live", settings.live(), takers.live());
