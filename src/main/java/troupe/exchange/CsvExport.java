@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
-import java.util.Locale;
+import troupe.exchange.script.Decimals;
 import troupe.paint.Track;
 import troupe.run.Frames;
 import troupe.run.Run;
@@ -39,47 +39,40 @@ public final class CsvExport implements StreamExporter {
     public void write(Run run, ExportSettings settings, OutputStream out) throws IOException, ExchangeException {
         Frames frames = run.frames();
         List<Track> tracks = Track.of(run);
-        check(run, tracks);
+        List<Words> words = tracks.stream().map(t -> new Words(frames, t)).toList();
+        check(run, tracks, settings);
         out.write(HEADER.getBytes(StandardCharsets.UTF_8));
         for (int frame = 0; frame < frames.count(); frame++) {
             settings.proceed();
             StringBuilder rows = new StringBuilder();
-            for (Track track : tracks) {
+            for (int k = 0; k < tracks.size(); k++) {
+                Track track = tracks.get(k);
                 if (!track.isThere(frame)) {
                     continue;
                 }
                 double degrees = Math.toDegrees(Math.IEEEremainder(track.headingRad(frame), 2 * Math.PI));
-                rows.append(frame).append(',').append(number(frame / frames.rate()));
+                Decimals.six(rows.append(frame).append(','), frame / frames.rate());
                 rows.append(',').append(quoted(track.id()));
-                rows.append(',').append(number(track.x(frame)));
-                rows.append(',').append(number(track.y(frame)));
-                rows.append(',').append(number(track.z(frame)));
-                rows.append(',').append(number(degrees));
-                rows.append(',').append(quoted(track.ability(frame))).append('\n');
+                Decimals.six(rows.append(','), track.x(frame));
+                Decimals.six(rows.append(','), track.y(frame));
+                Decimals.six(rows.append(','), track.z(frame));
+                Decimals.six(rows.append(','), degrees);
+                rows.append(',').append(quoted(words.get(k).at(frame))).append('\n');
             }
             out.write(rows.toString().getBytes(StandardCharsets.UTF_8));
         }
     }
 
-    private static void check(Run run, List<Track> tracks) throws ExchangeException {
-        for (Track track : tracks) {
-            for (int frame = 0; frame < run.frames().count(); frame++) {
-                double sum = track.x(frame) + track.y(frame) + track.z(frame) + track.headingRad(frame);
-                if (track.isThere(frame) && !Double.isFinite(sum)) {
-                    throw new ExchangeException(
-                            "frame " + frame,
-                            0,
-                            0,
-                            "'" + track.id() + "' has a place that is not a number",
-                            "plan the task again; a run like this cannot be exported");
+    private static void check(Run run, List<Track> tracks, ExportSettings settings)
+            throws IOException, ExchangeException {
+        for (int frame = 0; frame < run.frames().count(); frame++) {
+            settings.proceed();
+            for (Track track : tracks) {
+                if (track.isThere(frame)) {
+                    Places.check(track, frame);
                 }
             }
         }
-    }
-
-    private static String number(double value) {
-        String text = String.format(Locale.ROOT, "%.6f", value);
-        return text.equals("-0.000000") ? "0.000000" : text;
     }
 
     private static String quoted(String text) {

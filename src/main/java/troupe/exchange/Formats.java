@@ -5,12 +5,21 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import troupe.exchange.script.BlenderScript;
+import troupe.exchange.script.MelScript;
 import troupe.scene.Scene;
 
 /** Lists the formats that runs are written to and scenes are read from; one line registers a format. */
 public final class Formats {
-    private static final List<Exporter> EXPORTERS =
-            List.of(new CsvExport(), new SvgExport(), new ImageExport(), new ImagesExport(), new GifExport());
+    private static final List<Exporter> EXPORTERS = List.of(
+            new CsvExport(),
+            new PedPyExport(),
+            new ScriptExport("mel", "mel", "Maya: obstacles, and a transform with keys for each actor", MelScript::new),
+            new ScriptExport("blender", "py", "Blender: the same, as a Python script", BlenderScript::new),
+            new SvgExport(),
+            new ImageExport(),
+            new ImagesExport(),
+            new GifExport());
     private static final List<Importer> IMPORTERS = List.of(new MapImport(), new NamosimImport());
 
     private Formats() {}

@@ -19,7 +19,6 @@ import troupe.run.Run;
 import troupe.scene.Ability;
 import troupe.scene.Actor;
 import troupe.scene.Crowd;
-import troupe.scene.CrowdGroup;
 import troupe.scene.Journey;
 import troupe.scene.Obstacle;
 import troupe.scene.Scene;
@@ -37,6 +36,7 @@ public final class RunPainter {
     private static final double SAME_TIME = 0.05;
 
     private final Run run;
+    private final int level;
     private final Theme theme;
     private final Cover cover;
     private final Moved moved;
@@ -50,21 +50,30 @@ public final class RunPainter {
 
     /** Makes a painter of a run. Cost O(points of its legs + frames in which something is moved). */
     public RunPainter(Run run, Theme theme) {
+        this(run, theme, CrowdPainter.DEEPEST, true);
+    }
+
+    /**
+     * Makes a painter of a run that may be of a crowd.
+     *
+     * @param level the depth of the groups whose colours are shown, as in {@link CrowdPainter}
+     * @param trails whether the last seconds of each agent's way are shown
+     */
+    public RunPainter(Run run, Theme theme, int level, boolean trails) {
         this.run = run;
+        this.level = level;
         this.theme = theme;
         this.cover = new Cover(run.scene());
         this.moved = new Moved(run);
         Optional<Crowd> simulated =
                 run.scene().task(run.task()).filter(Crowd.class::isInstance).map(Crowd.class::cast);
-        this.crowd = simulated.map(c -> new CrowdPainter(c, run.frames(), theme));
-        List<String> groups =
-                simulated.stream().flatMap(Crowd::allGroups).map(CrowdGroup::id).toList();
+        this.crowd = simulated.map(c -> new CrowdPainter(c, run.frames(), theme, level, trails));
         this.encounter = EncounterPainter.of(run, theme);
-        this.tracks = Track.of(run).stream()
-                .filter(track -> run.scene().obstacle(track.owner()).isEmpty()
-                        && !groups.contains(track.owner())
-                        && encounter.isEmpty())
-                .toList();
+        this.tracks = isSimulated()
+                ? List.of()
+                : Track.of(run).stream()
+                        .filter(track -> run.scene().obstacle(track.owner()).isEmpty())
+                        .toList();
         this.gripping = run.scene().task(run.task()).orElse(null) instanceof Journey journey
                 && journey.manipulation() == Journey.Manipulation.GRIP;
         // the way of an encounter grows with time
@@ -87,6 +96,15 @@ public final class RunPainter {
     /** Returns the poses of the moved obstacles at {@code time} seconds; while they are equal, so is what {@link #scene} shows. */
     public List<Pose> poses(double time) {
         return moved.poses(Track.frameAt(run.frames(), time));
+    }
+
+    /** Returns a stamp: painters with equal ones paint the same, but for the actors. A growing simulation keeps it. */
+    public Object stamp() {
+        return isSimulated() ? List.of(run.scene(), run.task(), level) : this;
+    }
+
+    private boolean isSimulated() {
+        return crowd.isPresent() || encounter.isPresent();
     }
 
     /** Paints what the run adds to the scene as it stands at {@code time} seconds. */

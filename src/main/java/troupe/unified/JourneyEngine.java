@@ -27,8 +27,8 @@ import troupe.unified.search.JourneySearch;
  * Plans a journey: layers, region, where the ordering asks for it NF2, the search, and then the motion of
  * the actor along the smoothed way. If there is no way it finds out what a person could change.
  *
- * <p>A unit of work is an expansion of the search, those for the cost to go included, or the trial of one
- * change. What comes before the search is done in the first step and costs no work. The times in the report
+ * <p>A unit of work is an expansion of the search, those for the cost to go and the poses that manipulation instances
+ * expand included, or the trial of one change. What comes before the search is done in the first step and costs no work. The times in the report
  * are wall time; everything else depends on scene and journey only.
  */
 public final class JourneyEngine implements Engine {

@@ -7,7 +7,17 @@ import java.util.concurrent.locks.LockSupport;
 
 /** Looks at the stack of the event thread every few milliseconds for code that has no business there. */
 final class EventThreadWatch implements AutoCloseable {
-    private static final Set<String> PACKAGES = Set.of("troupe.grid", "troupe.unified", "troupe.search", "troupe.work");
+    private static final Set<String> PACKAGES = Set.of(
+            "troupe.grid",
+            "troupe.unified",
+            "troupe.search",
+            "troupe.work",
+            "troupe.risk",
+            "troupe.risk.forecast",
+            "troupe.risk.plan",
+            "troupe.crowd",
+            "troupe.crowd.flock",
+            "troupe.crowd.ground");
     private static final Set<String> CLASSES = Set.of(
             "troupe.scene.SceneXml",
             "troupe.scene.SceneReader",

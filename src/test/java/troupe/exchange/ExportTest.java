@@ -279,7 +279,7 @@ class ExportTest {
         assertEquals(
                 "movingai", Formats.importerFor(Path.of("x.map")).orElseThrow().name());
         IllegalArgumentException e = assertThrows(IllegalArgumentException.class, () -> Formats.exporter("mp4"));
-        assertEquals("format 'mp4'; known are csv, svg, png, pngs, gif", e.getMessage());
+        assertEquals("format 'mp4'; known are csv, pedpy, mel, blender, svg, png, pngs, gif", e.getMessage());
         assertThrows(IllegalArgumentException.class, () -> SMALL.every(0));
         assertThrows(IllegalArgumentException.class, () -> SMALL.wide(1_000_000));
     }

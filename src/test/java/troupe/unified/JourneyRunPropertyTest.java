@@ -24,6 +24,7 @@ import troupe.scene.Scene;
 import troupe.scene.World;
 import troupe.unified.motion.Motion;
 import troupe.unified.search.JourneyPath;
+import troupe.unified.search.Ways;
 
 /** Plans random journeys among walls, low walls, plates, beams and ditches, and replays every frame on the polygons. */
 class JourneyRunPropertyTest {
@@ -170,7 +171,7 @@ class JourneyRunPropertyTest {
         double smoothed = (double) run.report().values().get("smoothed_length");
         assertTrue(smoothed <= 1.02 * path.length() + 1e-9, which + ": smoothed " + smoothed + " of " + path.length());
         GridFrame frame = region.frame();
-        int goal = path.configurations()[path.steps()];
+        int goal = Ways.configurations(path)[Ways.steps(path)];
         int last = run.frames().count() - 1;
         assertEquals(frame.centreX(frame.col(region.cell(goal))), run.frames().value(last, 0, 0), 0, which);
         assertEquals(region.elevation(goal), run.frames().value(last, 2, 0), 0, which);

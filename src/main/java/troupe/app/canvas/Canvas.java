@@ -33,6 +33,7 @@ import troupe.geometry.Point;
 import troupe.geometry.Pose;
 import troupe.paint.Labels;
 import troupe.paint.Legend;
+import troupe.paint.OverlayPainter;
 import troupe.paint.RunPainter;
 import troupe.paint.ScaleBar;
 import troupe.paint.ScenePainter;
@@ -58,6 +59,7 @@ public final class Canvas extends Drawn implements AutoCloseable {
     private final transient Look look;
     private final transient Session session;
     private final transient Painters painters;
+    private final transient Moments moments;
     private final transient LayerStack stack;
     private final transient Listeners<Viewport> views = new Listeners<>();
     private final transient Listeners<Optional<Point>> pointers = new Listeners<>();
@@ -71,6 +73,7 @@ public final class Canvas extends Drawn implements AutoCloseable {
     private final double scale;
     private transient Tool tool;
     private transient Painters.Prepared prepared;
+    private transient List<OverlayPainter> ofMoment = List.of();
     private transient Scene painted;
     private transient List<?> paintedMoment = List.of();
     private transient ScenePainter scenePainter;
@@ -82,12 +85,14 @@ public final class Canvas extends Drawn implements AutoCloseable {
         this.scale = look.scale();
         this.session = session;
         this.painters = new Painters(this.look, eventThread, this::take);
+        this.moments = new Moments(this.look, eventThread, this::takeMoment);
         this.stack = new LayerStack(List.of(
                 layer(this::groundStamp, g -> scenePainter().paintGround(g, view)),
                 layer(this::sceneStamp, g -> scenePainter().paintObstacles(g, view)),
                 layer(() -> prepared == null ? "" : prepared.overlays(), this::paintOverlays),
                 layer(this::pathStamp, this::paintPath),
                 layer(this::selectionStamp, this::paintSelection),
+                layer(() -> ofMoment, this::paintMoment),
                 layer(this::actorStamp, this::paintActors)));
         setName("canvas");
         setFocusable(true);
@@ -129,8 +134,11 @@ public final class Canvas extends Drawn implements AutoCloseable {
             repaint();
         }));
         leave.add(session.selection().listeners().add(s -> repaint()));
-        leave.add(session.playback().listeners().add(p -> repaint()));
-        leave.add(session.plans().add(plan -> painters.request(plan, session.overlays())));
+        leave.add(session.playback().listeners().add(p -> {
+            moments.request(session);
+            repaint();
+        }));
+        leave.add(session.plans().add(plan -> prepare()));
         leave.add(session.overlays().listeners().add(choice -> {
             showLayer(choice.layer());
             prepare();
@@ -140,6 +148,12 @@ public final class Canvas extends Drawn implements AutoCloseable {
 
     private void prepare() {
         session.plan().ifPresent(plan -> painters.request(plan, session.overlays()));
+        moments.request(session);
+    }
+
+    private void takeMoment(List<OverlayPainter> made) {
+        ofMoment = made;
+        repaint();
     }
 
     private void take(Painters.Prepared made) {
@@ -319,7 +333,7 @@ public final class Canvas extends Drawn implements AutoCloseable {
 
     private Object pathStamp() {
         return List.of(
-                prepared == null ? "" : prepared,
+                prepared == null ? "" : prepared.run().map(RunPainter::stamp).orElse(""),
                 session.document().shownTask().isPresent()
                         ? session.document().shownTask().get()
                         : "",
@@ -342,14 +356,24 @@ public final class Canvas extends Drawn implements AutoCloseable {
         if (prepared == null || prepared.overlays().isEmpty()) {
             return;
         }
+        paintInside(g, prepared.overlays());
+        if (prepared.field()) {
+            scenePainter().paintOutlines(g, view);
+        }
+    }
+
+    private void paintInside(Graphics2D g, List<OverlayPainter> overlays) {
         World world = session.document().shown().world();
         Graphics2D inside = (Graphics2D) g.create();
         inside.clip(new Rectangle2D.Double(
                 view.px(0), view.py(world.depth()), world.width() * view.scale(), world.depth() * view.scale()));
-        prepared.overlays().forEach(painter -> painter.paint(inside, view));
+        overlays.forEach(painter -> painter.paint(inside, view));
         inside.dispose();
-        if (prepared.field()) {
-            scenePainter().paintOutlines(g, view);
+    }
+
+    private void paintMoment(Graphics2D g) {
+        if (!ofMoment.isEmpty()) {
+            paintInside(g, ofMoment);
         }
     }
 
@@ -363,6 +387,8 @@ public final class Canvas extends Drawn implements AutoCloseable {
         if (session.document().shownTask().orElse(null) instanceof Journey journey) {
             TaskPainter.paint(g, session.document().shown(), journey, view, look.theme());
             TaskPainter.take(labels, journey, view);
+        } else {
+            run.ifPresent(painter -> painter.paintEnds(g, view));
         }
         scenePainter().numbering(Set.copyOf(session.selection().ids())).paintLabels(g, view, labels);
         run.ifPresent(painter -> painter.paintPills(g, view, labels, a -> look.text("word." + a.key())));
@@ -425,5 +451,6 @@ public final class Canvas extends Drawn implements AutoCloseable {
     public void close() {
         leave.forEach(Runnable::run);
         painters.close();
+        moments.close();
     }
 }

@@ -7,14 +7,20 @@ import java.util.concurrent.Executor;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import troupe.app.look.Look;
 import troupe.app.plan.Plan;
+import troupe.app.plan.Views;
 import troupe.app.session.OverlayChoice;
+import troupe.app.session.RunViews;
+import troupe.grid.GridFrame;
 import troupe.paint.Legend;
 import troupe.paint.OverlayPainter;
 import troupe.paint.RunPainter;
 import troupe.run.Overlay;
 import troupe.run.Run;
+import troupe.scene.Task;
+import troupe.work.MomentViews;
 
 /**
  * Makes the painters of a plan on a background thread, because tracing the contours of a field takes
@@ -25,6 +31,19 @@ final class Painters implements AutoCloseable {
     /** The painters of one plan. Fields of numbers are filled only where they are the one thing shown. */
     record Prepared(Optional<RunPainter> run, List<OverlayPainter> overlays, boolean field, Legend legend) {}
 
+    /** What painters were made of; views are equal only if they are the same. */
+    private record Made(Views views, Set<String> keys, int layer) {
+        @Override
+        public boolean equals(Object other) {
+            return other instanceof Made m && views == m.views && keys.equals(m.keys) && layer == m.layer;
+        }
+
+        @Override
+        public int hashCode() {
+            return System.identityHashCode(views);
+        }
+    }
+
     private final Look look;
     private final Executor eventThread;
     private final Consumer<Prepared> taker;
@@ -34,6 +53,8 @@ final class Painters implements AutoCloseable {
         return thread;
     });
     private volatile long newest;
+    private Made made;
+    private List<OverlayPainter> painters = List.of();
 
     /** Makes painters for a look; {@code taker} gets them on the event thread. */
     Painters(Look look, Executor eventThread, Consumer<Prepared> taker) {
@@ -47,9 +68,16 @@ final class Painters implements AutoCloseable {
         long request = ++newest;
         Set<String> keys = choice.keys();
         int layer = choice.layer();
+        Task task = RunViews.task(plan).orElse(null);
+        int level = RunViews.level(choice);
+        double ahead = RunViews.aheadSeconds(task, choice);
         worker.execute(() -> {
             if (request == newest) {
-                Prepared prepared = prepare(plan, keys, layer);
+                List<Overlay> samples = RunViews.keys(plan).stream()
+                        .filter(keys::contains)
+                        .flatMap(key -> sample(task, key, ahead).stream())
+                        .toList();
+                Prepared prepared = prepare(plan, keys, layer, samples, level);
                 eventThread.execute(() -> {
                     if (request == newest) {
                         taker.accept(prepared);
@@ -59,26 +87,49 @@ final class Painters implements AutoCloseable {
         });
     }
 
-    private Prepared prepare(Plan plan, Set<String> keys, int layer) {
+    /** Returns the painters of views, those of the last time while a run grows under the same ones. */
+    private List<OverlayPainter> painters(Made what, List<Overlay> shown, boolean filled) {
+        if (!what.equals(made)) {
+            made = what;
+            painters = shown.stream()
+                    .map(o -> new OverlayPainter(o, look.theme(), filled))
+                    .toList();
+        }
+        return painters;
+    }
+
+    /** Returns what stands in the legend for a view that is made for each moment. */
+    private static Optional<Overlay> sample(Task task, String key, double ahead) {
+        if (key.equals(MomentViews.BEFORE)) {
+            return Optional.of(new Overlay.Lines(key, 0, List.of()));
+        }
+        return MomentViews.scale(task, key, ahead)
+                .map(scale -> new Overlay.Field(key, 0, new GridFrame(0, 0, 1, 1, 1), new float[] {Float.NaN}, scale));
+    }
+
+    private Prepared prepare(Plan plan, Set<String> keys, int layer, List<Overlay> samples, int level) {
         List<Overlay> shown = plan.overlays().stream()
                 .filter(o -> keys.contains(o.key()))
                 .filter(o -> layer == OverlayChoice.ALL_LAYERS || o.layer() == layer)
                 .map(o -> leading(plan, o))
                 .toList();
         boolean filled = shown.stream().map(Overlay::key).distinct().count() == 1;
-        List<OverlayPainter> painters = shown.stream()
-                .map(o -> new OverlayPainter(o, look.theme(), filled))
-                .toList();
+        List<OverlayPainter> painters = painters(new Made(plan.views(), keys, layer), shown, filled);
         Optional<Run> run = plan.run().filter(r -> keys.contains(OverlayChoice.PLAN));
-        List<Overlay> named = shown.stream()
+        List<Overlay> named = Stream.concat(samples.stream(), shown.stream())
                 .map(Overlay::key)
                 .distinct()
-                .map(key ->
-                        merged(shown.stream().filter(o -> o.key().equals(key)).toList()))
+                .map(key -> merged(Stream.concat(samples.stream(), shown.stream())
+                        .filter(o -> o.key().equals(key))
+                        .toList()))
                 .toList();
-        Legend legend = Legend.of(run.orElse(null), named, filled, look.theme(), this::word);
+        Legend legend = Legend.of(run.orElse(null), named, filled || shown.isEmpty(), look.theme(), this::word);
         boolean field = filled && shown.stream().anyMatch(o -> o instanceof Overlay.Field);
-        return new Prepared(run.map(r -> new RunPainter(r, look.theme())), painters, field, legend);
+        return new Prepared(
+                run.map(r -> new RunPainter(r, look.theme(), level, keys.contains(OverlayChoice.TRAILS))),
+                painters,
+                field,
+                legend);
     }
 
     /** Returns a view without the lines that lie where no way leads to the goal, such as on the tops of walls. */

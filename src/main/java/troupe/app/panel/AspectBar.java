@@ -8,6 +8,7 @@ import java.awt.event.MouseEvent;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.function.IntConsumer;
 import javax.swing.AbstractAction;
 import javax.swing.JList;
 import javax.swing.JPopupMenu;
@@ -20,6 +21,7 @@ import troupe.app.look.ThinScrollBarUI;
 import troupe.app.plan.Plan;
 import troupe.app.plan.Views;
 import troupe.app.session.OverlayChoice;
+import troupe.app.session.RunViews;
 import troupe.app.session.Session;
 import troupe.paint.Tone;
 import troupe.run.Aspect;
@@ -34,6 +36,8 @@ public final class AspectBar extends Panel {
     private static final int ROOM = 150;
 
     private transient List<Aspect> aspects = List.of();
+    private transient List<Aspect> ofRun = List.of();
+    private transient List<Object> built = List.of();
 
     /** Makes the bar. */
     public AspectBar(Look look, Session session) {
@@ -48,18 +52,36 @@ public final class AspectBar extends Panel {
     private void refresh() {
         Views views = session().plan().map(Plan::views).orElse(Views.NONE);
         boolean working = views.overlays().isEmpty() && session().plan().isPresent();
-        if (!working) {
-            aspects = views.aspects();
+        aspects = working ? aspects : views.aspects();
+        ofRun = session().plan().map(RunViews::aspects).orElse(List.of());
+        if (!choices().equals(built)) {
             build();
         }
     }
 
+    /** Returns all that the buttons depend on but which views are shown. */
+    private List<Object> choices() {
+        OverlayChoice shown = session().overlays();
+        List<Integer> picked =
+                ofRun.stream().map(aspect -> shown.picked(aspect.key())).toList();
+        return List.of(aspects, ofRun, shown.chosen(), picked);
+    }
+
     private void build() {
+        built = choices();
         removeAll();
         List<Integer> chosen = session().overlays().chosen();
         for (int i = 0; i < aspects.size(); i++) {
+            int index = i;
             if (offered(aspects.get(i))) {
-                add(button(i, aspects.get(i), aspects.get(i).chosen(chosen, i)));
+                int choice = aspects.get(i).chosen(chosen, i);
+                add(button(aspects.get(i), choice, c -> session().overlays().choose(index, c)));
+            }
+        }
+        for (Aspect aspect : ofRun) {
+            if (offered(aspect)) {
+                int choice = aspect.chosen(List.of(session().overlays().picked(aspect.key())), 0);
+                add(button(aspect, choice, c -> session().overlays().pick(aspect.key(), c)));
             }
         }
         setVisible(getComponentCount() > 0);
@@ -73,7 +95,7 @@ public final class AspectBar extends Panel {
                 && (aspect.views().isEmpty() || aspect.views().stream().anyMatch(shown::shows));
     }
 
-    private FlatButton button(int index, Aspect aspect, int choice) {
+    private FlatButton button(Aspect aspect, int choice, IntConsumer chooser) {
         FlatButton button = new FlatButton(look(), FlatButton.Style.CHIP);
         String name = look().texts().get("aspect." + aspect.key(), aspect.key());
         String text = texts(aspect).get(choice);
@@ -84,7 +106,7 @@ public final class AspectBar extends Panel {
         button.getAccessibleContext().setAccessibleName(name + ": " + text);
         button.addActionListener(e -> {
             button.setSelected(false);
-            offer(button, index, aspect, choice);
+            offer(button, aspect, choice, chooser);
         });
         return button;
     }
@@ -109,7 +131,7 @@ public final class AspectBar extends Panel {
     }
 
     /** Opens the list of what there is to choose from; a click or Enter chooses, Escape does not. */
-    private void offer(FlatButton button, int index, Aspect aspect, int choice) {
+    private void offer(FlatButton button, Aspect aspect, int choice, IntConsumer chooser) {
         JList<String> list = new JList<>(texts(aspect).toArray(String[]::new));
         list.setName("choices." + aspect.key());
         list.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
@@ -128,7 +150,7 @@ public final class AspectBar extends Panel {
         Runnable choose = () -> {
             menu.setVisible(false);
             if (list.getSelectedIndex() >= 0) {
-                session().overlays().choose(index, list.getSelectedIndex());
+                chooser.accept(list.getSelectedIndex());
             }
         };
         list.addMouseListener(new MouseAdapter() {

@@ -11,13 +11,19 @@ import troupe.app.look.FlatButton;
 import troupe.app.look.Look;
 import troupe.app.plan.Plan;
 import troupe.app.session.OverlayChoice;
+import troupe.app.session.RunViews;
 import troupe.app.session.Session;
 import troupe.run.Overlay;
+import troupe.work.MomentViews;
 
 /** A chip for each view that can lie over the scene; those that do not fit are behind the last one. */
 public final class ChipBar extends Panel {
     private static final List<String> FIRST = List.of(
             OverlayChoice.PLAN,
+            OverlayChoice.TRAILS,
+            MomentViews.DENSITY,
+            MomentViews.PROBABILITY,
+            MomentViews.BEFORE,
             "skeleton",
             "potential",
             "region",
@@ -51,6 +57,7 @@ public final class ChipBar extends Panel {
 
     private List<String> keys() {
         List<String> offered = new ArrayList<>(List.of(OverlayChoice.PLAN));
+        session().plan().map(RunViews::keys).ifPresent(offered::addAll);
         for (Overlay overlay : session().plan().map(Plan::overlays).orElse(List.of())) {
             if (!offered.contains(overlay.key())) {
                 offered.add(overlay.key());
@@ -66,7 +73,8 @@ public final class ChipBar extends Panel {
     private void refresh() {
         boolean working = session().plan().map(Plan::overlays).orElse(List.of()).isEmpty();
         List<String> keys = keys();
-        if (List.copyOf(chips.keySet()).equals(keys) || working && !chips.isEmpty()) {
+        if (List.copyOf(chips.keySet()).equals(keys)
+                || working && chips.keySet().containsAll(keys)) {
             return;
         }
         chips.clear();

@@ -2,8 +2,10 @@ package troupe.app.session;
 
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import troupe.app.document.EventThread;
 import troupe.app.document.Listeners;
@@ -19,6 +21,9 @@ public final class OverlayChoice {
     /** The key of the legend. */
     public static final String LEGEND = "legend";
 
+    /** The key of the last seconds of each way, in crowds. */
+    public static final String TRAILS = "trails";
+
     /** Stands for all layers at once. */
     public static final int ALL_LAYERS = -1;
 
@@ -26,6 +31,7 @@ public final class OverlayChoice {
     private final Set<String> keys = new LinkedHashSet<>();
     private int layer = ALL_LAYERS;
     private List<Integer> chosen = List.of();
+    private final Map<String, Integer> picked = new HashMap<>();
 
     /** Makes a choice of these views on all layers. */
     public OverlayChoice(Collection<String> keys) {
@@ -87,9 +93,24 @@ public final class OverlayChoice {
         }
     }
 
+    /** Returns what is picked of a respect in which a run can be looked at ({@link RunViews#aspects}), from 0. */
+    public int picked(String aspect) {
+        return picked.getOrDefault(aspect, 0);
+    }
+
+    /** Picks of a respect in which a run can be looked at, from 0. */
+    public void pick(String aspect, int choice) {
+        EventThread.require();
+        if (picked(aspect) != choice) {
+            picked.put(aspect, choice);
+            listeners.tell(this);
+        }
+    }
+
     /** Chooses the first of every aspect again, and tells nobody: for another task, before it is planned. */
     public void chooseFirst() {
         EventThread.require();
         chosen = List.of();
+        picked.clear();
     }
 }

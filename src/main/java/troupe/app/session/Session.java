@@ -33,7 +33,7 @@ public final class Session implements AutoCloseable {
     private final Selection selection = new Selection();
     private final Playback playback = new Playback();
     private final OverlayChoice overlays =
-            new OverlayChoice(List.of(OverlayChoice.PLAN, OverlayChoice.LEGEND, "skeleton"));
+            new OverlayChoice(List.of(OverlayChoice.PLAN, OverlayChoice.LEGEND, OverlayChoice.TRAILS, "skeleton"));
     private final LivePlanner planner;
     private final SceneFiles files;
     private final Executor eventThread;

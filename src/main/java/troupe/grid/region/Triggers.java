@@ -1,10 +1,8 @@
 package troupe.grid.region;
 
 import java.util.BitSet;
-import troupe.geometry.Polygon;
 import troupe.grid.GridFrame;
 import troupe.grid.Window;
-import troupe.scene.Ability;
 
 /**
  * Finds the trigger points of a movable obstacle: where an actor can stand on stable ground beside what the
@@ -23,22 +21,6 @@ public final class Triggers {
 
     private Triggers(int[] points) {
         this.points = points;
-    }
-
-    /**
-     * Finds the trigger points of an obstacle that stands in the actual region.
-     *
-     * @param actual the region of a search space
-     * @param optimistic the region of that search space without the obstacles that can still be moved
-     * @param obstacle its index among the obstacles of the scene
-     * @throws IllegalArgumentException if there is no movable obstacle of that index, or it is not there
-     */
-    public static Triggers of(Region actual, Region optimistic, int obstacle) {
-        Polygon outline = actual.outline(obstacle)
-                .orElseThrow(() -> new IllegalArgumentException(
-                        "obstacle " + obstacle + " is not there; needs one that stands in the actual region"));
-        Window whole = new Window(0, 0, actual.frame().cols(), actual.frame().rows());
-        return of(actual, optimistic, optimistic.with(obstacle, outline), obstacle, whole);
     }
 
     /**
@@ -92,10 +74,7 @@ public final class Triggers {
     }
 
     private static boolean isPoint(Region actual, int q, double bottom) {
-        return q < actual.spanCount()
-                && actual.kind(q) == Kind.STABLE
-                && (actual.abilities(q) & Ability.WALK.bit()) != 0
-                && actual.steps(actual.elevation(q), bottom);
+        return actual.takesOff(q) && actual.steps(actual.elevation(q), bottom);
     }
 
     /** Returns the configurations of the trigger points, all of them spans, ascending; a new array. */

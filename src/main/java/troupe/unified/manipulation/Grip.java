@@ -3,9 +3,7 @@ package troupe.unified.manipulation;
 import troupe.geometry.Line;
 import troupe.geometry.Polygon;
 import troupe.grid.GridFrame;
-import troupe.grid.region.Kind;
 import troupe.grid.region.Region;
-import troupe.scene.Ability;
 import troupe.scene.Actor;
 
 /**
@@ -115,19 +113,15 @@ public final class Grip {
     private int step(int from, int direction) {
         if (without.plain(from)) {
             int to = from + GridFrame.dy(direction) * frame.cols() + GridFrame.dx(direction);
-            return (without.moves(from) >> direction & 1) != 0 && canStand(without, to) ? to : -1;
+            return (without.moves(from) >> direction & 1) != 0 && without.takesOff(to) ? to : -1;
         }
         int count = without.neighbours(from, targets, directions);
         for (int n = 0; n < count; n++) {
-            if (directions[n] == direction && targets[n] < without.spanCount() && canStand(without, targets[n])) {
+            if (directions[n] == direction && without.takesOff(targets[n])) {
                 return targets[n];
             }
         }
         return -1;
-    }
-
-    private static boolean canStand(Region region, int q) {
-        return region.kind(q) == Kind.STABLE && (region.abilities(q) & Ability.WALK.bit()) != 0;
     }
 
     /** Returns the configuration after a turn by one heading, -1 if a step on its way cannot be taken. */

@@ -65,11 +65,6 @@ public final class Surroundings {
         return outlines[obstacle];
     }
 
-    /** Tells whether an obstacle has been moved. */
-    public boolean isMoved(int obstacle) {
-        return moved[obstacle];
-    }
-
     /**
      * Tells whether an obstacle can be moved here: it has not been moved, rests where it stands (its centroid
      * and three fifths of its footprint), and carries no other. Cost O(obstacles).

@@ -44,21 +44,9 @@ public record JourneyPath(
         parts = List.copyOf(parts);
     }
 
-    /** Returns the configurations of all ways in turn. */
-    public int[] configurations() {
-        return ways().stream()
-                .flatMapToInt(way -> Arrays.stream(way.configurations()))
-                .toArray();
-    }
-
     /** Returns the abilities of the steps of all ways in turn. */
     public List<Ability> abilities() {
         return ways().stream().flatMap(way -> way.abilities().stream()).toList();
-    }
-
-    /** Returns the number of steps of all ways. */
-    public int steps() {
-        return ways().stream().mapToInt(way -> way.configurations().length - 1).sum();
     }
 
     private List<Way> ways() {

@@ -217,13 +217,6 @@ public final class JourneySearch implements Expander {
         }
     }
 
-    /** Returns a lower bound in J on the cost from a configuration of a space to the goal, 0 for {@code paper}. */
-    public double bound(SearchSpace space, int configuration) {
-        work.check(generation);
-        long bound = toGo == null ? 0 : toGo.bound(keys.place(space, configuration));
-        return bound >= CostToGo.UNREACHABLE ? Double.POSITIVE_INFINITY : costs.joules(bound);
-    }
-
     /** Returns what was found, empty unless the outcome is {@code Found}. Cost O(its steps). */
     public Optional<JourneyPath> path() {
         if (reached == LabelPool.NONE) {

@@ -119,6 +119,6 @@ final class LabelKeys {
         if (beneath < 0) {
             return place;
         }
-        return place < 0 || priority.key(beneath, 0, 0) < priority.key(place, 0, 0) ? beneath : place;
+        return place < 0 || priority.isBefore(beneath, place) ? beneath : place;
     }
 }

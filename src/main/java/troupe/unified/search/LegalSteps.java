@@ -9,8 +9,10 @@ import troupe.grid.region.Region;
  * #check} that held is read from the getters; nothing is allocated.
  *
  * <ul>
- *   <li>On a border the metres travelled there may not pass the limit;
- *       a stable place sets them back to 0.
+ *   <li>On a border the metres travelled there may not pass the limit; a stable place sets them back to 0.
+ *   <li>A crossing begins at a stable place where one can walk, on exactly its take-off floor.
+ *   <li>Inside, the metres travelled since its beginning may not pass the limit of its kind.
+ *   <li>It ends at a stable place where one can walk, if a straight crossing leads there from its beginning.
  * </ul>
  */
 final class LegalSteps {

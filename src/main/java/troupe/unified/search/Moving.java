@@ -35,7 +35,11 @@ public record Moving(
             Optional.empty(),
             JourneyQuery.Potential.NONE);
 
-    /** Copies the list and checks the slice, and that there is a scene if something may be moved. */
+    /**
+     * Copies the list.
+     *
+     * @throws IllegalArgumentException if the slice is below 1, or something may be moved and there is no scene
+     */
     public Moving {
         movables = List.copyOf(movables);
         if (slice < 1) {

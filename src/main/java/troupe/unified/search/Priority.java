@@ -19,6 +19,12 @@ interface Priority {
      */
     long key(int place, long cost, long extra);
 
+    /**
+     * Tells whether one place promises less than another one does, so that it is the one to judge by; of two that promise
+     * the same, one that may still turn out to cost more.
+     */
+    boolean isBefore(int place, int other);
+
     /** Tells whether the key of a place is final; else it is a lower bound that can still rise. */
     boolean isFinal(int place);
 
@@ -54,6 +60,13 @@ interface Priority {
         }
 
         @Override
+        public boolean isBefore(int place, int other) {
+            long bound = toGo.bound(place);
+            long otherBound = toGo.bound(other);
+            return bound < otherBound || bound == otherBound && !toGo.isSettled(place);
+        }
+
+        @Override
         public boolean isFinal(int place) {
             return place < 0 || toGo.isSettled(place);
         }
@@ -85,6 +98,11 @@ interface Priority {
             }
             return Double.doubleToRawLongBits(
                     weights.potentialWeight() * metres + weights.costWeight() * costs.joules(cost));
+        }
+
+        @Override
+        public boolean isBefore(int place, int other) {
+            return key(place, 0, 0) < key(other, 0, 0);
         }
 
         @Override

@@ -219,12 +219,12 @@ public final class SearchSpace {
         generated++;
     }
 
-    /** Returns how many of its labels have been expanded. */
+    /** Returns how many of its labels have been expanded, without those in manipulation. */
     public long expanded() {
         return expanded;
     }
 
-    /** Returns how many labels it got, without those that were dominated when they were made. */
+    /** Returns how many labels it got, without those that were dominated when they were made and those in manipulation. */
     public long generated() {
         return generated;
     }

@@ -12,7 +12,13 @@ final class Turn {
     private final long most;
     private long left;
 
-    /** Begins a turn, in which at least one expansion is done if the instance still has one to do. */
+    /**
+     * Begins a turn, in which at least one expansion is done if the instance still has one to do.
+     *
+     * @param slice the most expansions, at least 1
+     * @param most the greatest least cost in units of the instance's queue with which it is gone on with; {@link
+     *     Long#MAX_VALUE} if any
+     */
     Turn(MoveAttempt attempt, long slice, long most) {
         this.attempt = attempt;
         this.left = slice;
@@ -20,7 +26,7 @@ final class Turn {
         attempt.countTurn();
     }
 
-    /** Does at most {@code budget} expansions; returns those done. */
+    /** Does at most {@code budget} expansions, from 0; returns those done. */
     long advance(long budget) {
         long done = attempt.instance().advance(Math.min(budget, left), most);
         left -= done;

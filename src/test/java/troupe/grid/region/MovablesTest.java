@@ -13,6 +13,7 @@ import java.util.Optional;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import troupe.geometry.Polygon;
+import troupe.grid.Window;
 import troupe.grid.layer.Layers;
 import troupe.scene.Ability;
 import troupe.scene.Actor;
@@ -120,7 +121,8 @@ class MovablesTest {
                 box(3.5, 3, 6, 3.3, 0, 2, false),
                 box(2.6, 2.9, 3.4, 3.4, 0, 2, true));
         Region actual = Region.of(room, ACTOR);
-        int[] points = Triggers.of(actual, actual.without(2), 2).points();
+        Window whole = new Window(0, 0, actual.frame().cols(), actual.frame().rows());
+        int[] points = Triggers.of(actual, actual.without(2), actual, 2, whole).points();
         assertTrue(points.length > 10);
         int[] sorted = points.clone();
         Arrays.sort(sorted);
@@ -130,7 +132,7 @@ class MovablesTest {
             double distance = actual.outline(2).orElseThrow().distance(actual.x(q), actual.y(q));
             assertTrue(distance >= 0.25 && distance < 0.25 + 0.15 * Math.sqrt(2), "distance " + distance);
         }
-        assertThrows(IllegalArgumentException.class, () -> Triggers.of(actual.without(2), actual.without(2), 2));
+        assertThrows(IllegalArgumentException.class, () -> Triggers.of(actual, actual.without(2), actual, 0, whole));
     }
 
     @Test

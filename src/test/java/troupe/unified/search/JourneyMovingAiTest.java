@@ -48,8 +48,8 @@ class JourneyMovingAiTest {
             assertEquals(problem.length(), path.length(), tolerance, problem::toString);
             assertEquals(path.length(), path.cost(), 1e-9);
             assertTrue(
-                    search.expanded() <= path.steps() + 1 + path.steps() / 10,
-                    () -> "expanded " + search.expanded() + " labels for " + path.steps() + " steps of " + problem);
+                    search.expanded() <= Ways.steps(path) + 1 + Ways.steps(path) / 10,
+                    () -> "expanded " + search.expanded() + " labels for " + Ways.steps(path) + " steps of " + problem);
         }
     }
 }

@@ -54,7 +54,7 @@ class JourneySearchTest {
         JourneySearch search = search(region(Actor.walker("a", 0.25, 0.1)));
         assertTrue(search.step(Long.MAX_VALUE).isFound());
         JourneyPath path = search.path().orElseThrow();
-        assertEquals(14, path.steps());
+        assertEquals(14, Ways.steps(path));
         assertEquals(7.0, path.length(), 1e-12);
         assertEquals(7.0, path.cost(), 1e-12);
         assertEquals(7.0, path.energy(), 1e-12);
@@ -70,11 +70,11 @@ class JourneySearchTest {
         JourneyPath path = search.path().orElseThrow();
         // up to the wall's end 5 + 5, over it 2 + 0, down to the other's 5 + 2, to the goal 2 + 3 steps
         assertEquals(CELL * (14 + 10 * Math.sqrt(2)), path.length(), 1e-12);
-        assertEquals(24, path.steps());
+        assertEquals(24, Ways.steps(path));
         Region region = walkedRegion();
-        for (int i = 0; i < path.steps(); i++) {
-            int from = path.configurations()[i];
-            int to = path.configurations()[i + 1];
+        for (int i = 0; i < Ways.steps(path); i++) {
+            int from = Ways.configurations(path)[i];
+            int to = Ways.configurations(path)[i + 1];
             assertTrue(region.open(to));
             assertTrue(Math.abs(region.x(to) - region.x(from)) < CELL + 1e-9);
             assertTrue(Math.abs(region.y(to) - region.y(from)) < CELL + 1e-9);
@@ -91,7 +91,7 @@ class JourneySearchTest {
                 while (search.step(budget).isRunning()) {
                     assertTrue(search.path().isEmpty());
                 }
-                int[] way = search.path().orElseThrow().configurations();
+                int[] way = Ways.configurations(search.path().orElseThrow());
                 if (expanded < 0) {
                     whole = way;
                     expanded = search.expanded() + search.estimated();
@@ -112,8 +112,8 @@ class JourneySearchTest {
         JourneySearch alone = search(walkedRegion());
         alone.step(Long.MAX_VALUE);
         assertArrayEquals(
-                alone.path().orElseThrow().configurations(),
-                one.path().orElseThrow().configurations());
+                Ways.configurations(alone.path().orElseThrow()),
+                Ways.configurations(one.path().orElseThrow()));
         assertEquals(one.path().orElseThrow().cost(), other.path().orElseThrow().cost(), 1e-9);
     }
 

@@ -1,0 +1,94 @@
+package troupe.app.session;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import troupe.app.plan.Plan;
+import troupe.paint.CrowdPainter;
+import troupe.run.Aspect;
+import troupe.scene.Crowd;
+import troupe.scene.Encounter;
+import troupe.scene.Encounter.Quantity;
+import troupe.scene.Task;
+import troupe.work.MomentViews;
+
+/** Says which views there are of the run of a simulation at the moment shown, and what there is to choose. Pure. */
+public final class RunViews {
+    /** The aspect of the groups whose colours are shown. */
+    public static final String LEVEL = "level";
+
+    /** The aspect of how far ahead avatars are expected. */
+    public static final String AHEAD = "ahead";
+
+    private static final double[] AHEAD_SECONDS = {0.5, 1, 2, 4, 8};
+
+    private RunViews() {}
+
+    /** Returns the task of a plan. */
+    public static Optional<Task> task(Plan plan) {
+        return plan.snapshot().scene().task(plan.snapshot().task());
+    }
+
+    /** Returns the keys of the views that a plan's run has, beside those of its planner; none of journeys. */
+    public static List<String> keys(Plan plan) {
+        Optional<Task> task = task(plan);
+        List<String> keys = new ArrayList<>();
+        if (task.orElse(null) instanceof Crowd) {
+            keys.addAll(List.of(OverlayChoice.TRAILS, MomentViews.DENSITY));
+        } else if (task.orElse(null) instanceof Encounter) {
+            keys.addAll(List.of(MomentViews.PROBABILITY, MomentViews.BEFORE));
+        }
+        return keys;
+    }
+
+    /** Tells whether a view is made anew for each moment. */
+    public static boolean isOfMoment(String key) {
+        return key.equals(MomentViews.DENSITY) || key.equals(MomentViews.PROBABILITY) || key.equals(MomentViews.BEFORE);
+    }
+
+    /** Returns the respects in which a plan's run can be looked at, beside those of its planner. */
+    public static List<Aspect> aspects(Plan plan) {
+        Task task = task(plan).orElse(null);
+        if (task instanceof Crowd crowd && crowd.deepest() > 1) {
+            List<Aspect.Choice> choices = new ArrayList<>(List.of(Aspect.Choice.of("deepest")));
+            for (int depth = 1; depth < crowd.deepest(); depth++) {
+                choices.add(Aspect.Choice.of("depth", String.valueOf(depth)));
+            }
+            return List.of(new Aspect(LEVEL, choices, List.of(OverlayChoice.PLAN)));
+        }
+        if (task instanceof Encounter encounter) {
+            List<Aspect.Choice> choices = new ArrayList<>();
+            for (double seconds : ahead(encounter)) {
+                String text = seconds == Math.rint(seconds) ? String.valueOf((int) seconds) : String.valueOf(seconds);
+                choices.add(Aspect.Choice.of("seconds", text));
+            }
+            return List.of(new Aspect(AHEAD, choices, List.of(MomentViews.PROBABILITY)));
+        }
+        return List.of();
+    }
+
+    private static List<Double> ahead(Encounter encounter) {
+        List<Double> all = new ArrayList<>();
+        for (double seconds : AHEAD_SECONDS) {
+            if (seconds <= encounter.number(Quantity.HORIZON) || all.isEmpty()) {
+                all.add(seconds);
+            }
+        }
+        return all;
+    }
+
+    /** Returns the depth of the groups whose colours are shown. */
+    public static int level(OverlayChoice choice) {
+        int picked = choice.picked(LEVEL);
+        return picked == 0 ? CrowdPainter.DEEPEST : picked;
+    }
+
+    /** Returns how many seconds ahead the avatars of a task are expected; 0 of tasks without. */
+    public static double aheadSeconds(Task task, OverlayChoice choice) {
+        if (!(task instanceof Encounter encounter)) {
+            return 0;
+        }
+        List<Double> all = ahead(encounter);
+        return all.get(Math.min(choice.picked(AHEAD), all.size() - 1));
+    }
+}
