@@ -37,6 +37,7 @@ public final class WindowPace {
     private static final int WARM_S = 4;
 
     private final List<long[]> events = new ArrayList<>();
+    private final List<long[]> frames = new ArrayList<>();
     private int painted;
 
     private WindowPace() {}
@@ -60,6 +61,7 @@ public final class WindowPace {
         rest(1);
         EventQueue.invokeAndWait(() -> {
             events.clear();
+            frames.clear();
             painted = 0;
         });
         long begin = System.nanoTime();
@@ -137,6 +139,12 @@ public final class WindowPace {
                 scene,
                 painted / seconds,
                 100 * all / 1e9 / seconds);
+        long[] frame = frames.stream().mapToLong(e -> e[1]).sorted().toArray();
+        System.out.printf(
+                Locale.ROOT,
+                "painting the window: own time ms median %.2f, longest %.2f%n",
+                frame.length == 0 ? 0 : frame[frame.length / 2] / 1e6,
+                frame.length == 0 ? 0 : frame[frame.length - 1] / 1e6);
         System.out.printf(
                 Locale.ROOT,
                 "%d events: own time ms median %.2f, 99 %% %.2f, longest %.2f; clock ms 99 %% %.2f, longest %.2f%n",
@@ -161,10 +169,15 @@ public final class WindowPace {
 
         @Override
         protected void dispatchEvent(AWTEvent event) {
+            int before = painted;
             long clock = System.nanoTime();
             long own = threads.getCurrentThreadCpuTime();
             super.dispatchEvent(event);
-            events.add(new long[] {System.nanoTime() - clock, threads.getCurrentThreadCpuTime() - own});
+            long[] took = {System.nanoTime() - clock, threads.getCurrentThreadCpuTime() - own};
+            events.add(took);
+            if (painted > before) {
+                frames.add(took);
+            }
         }
     }
 
@@ -178,7 +191,10 @@ public final class WindowPace {
 
         @Override
         public void paintDirtyRegions() {
-            painted += getDirtyRegion((JComponent) canvas).isEmpty() ? 0 : 1;
+            painted += isCompletelyDirty((JComponent) canvas)
+                            || !getDirtyRegion((JComponent) canvas).isEmpty()
+                    ? 1
+                    : 0;
             super.paintDirtyRegions();
         }
     }

@@ -129,6 +129,7 @@ public final class Canvas extends Drawn implements AutoCloseable {
         leave.add(session.document().listeners().add(change -> {
             if (change == SceneDocument.Change.OPENED) {
                 prepared = null;
+                painters.forget();
                 fit();
             }
             repaint();

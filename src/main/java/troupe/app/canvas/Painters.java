@@ -24,7 +24,8 @@ import troupe.work.MomentViews;
 
 /**
  * Makes the painters of a plan on a background thread, because tracing the contours of a field takes
- * longer than a frame. The newest request wins.
+ * longer than a frame. Of several requests that wait only the newest is met; what has been made is shown even if a
+ * newer request has come since, or a run that grows would never be seen.
  */
 final class Painters implements AutoCloseable {
 
@@ -53,6 +54,7 @@ final class Painters implements AutoCloseable {
         return thread;
     });
     private volatile long newest;
+    private long forgotten;
     private Made made;
     private List<OverlayPainter> painters = List.of();
 
@@ -61,6 +63,11 @@ final class Painters implements AutoCloseable {
         this.look = look;
         this.eventThread = eventThread;
         this.taker = taker;
+    }
+
+    /** Drops what is being made, because another scene is shown. */
+    void forget() {
+        forgotten = newest;
     }
 
     /** Asks for the painters of what is shown of a plan. */
@@ -79,7 +86,7 @@ final class Painters implements AutoCloseable {
                         .toList();
                 Prepared prepared = prepare(plan, keys, layer, samples, level);
                 eventThread.execute(() -> {
-                    if (request == newest) {
+                    if (request > forgotten) {
                         taker.accept(prepared);
                     }
                 });

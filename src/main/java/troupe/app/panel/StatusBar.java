@@ -24,6 +24,7 @@ import troupe.app.plan.Plan;
 import troupe.app.plan.Work;
 import troupe.app.play.Figures;
 import troupe.app.session.Notice;
+import troupe.app.session.RunViews;
 import troupe.app.session.Session;
 import troupe.geometry.Point;
 import troupe.paint.Tone;
@@ -167,7 +168,11 @@ public final class StatusBar extends Panel {
         cancel.setVisible(on);
         details.setVisible(!on);
         if (on) {
-            happened(look().text("status.planning"), "");
+            boolean simulates = session()
+                    .plan()
+                    .filter(plan -> !RunViews.keys(plan).isEmpty())
+                    .isPresent();
+            happened(look().text(simulates ? "status.simulates" : "status.planning"), "");
             state = Tone.ACCENT;
             working = true;
         }
@@ -191,6 +196,20 @@ public final class StatusBar extends Panel {
     }
 
     private void show(Plan plan, Run run) {
+        if (run.outcome().isRunning()) {
+            if (cancel.isVisible()) {
+                happened.setText(look().text("status.simulates"));
+            } else {
+                state = Tone.ACCENT;
+                happened(
+                        look().texts()
+                                .format(
+                                        "status.simulating",
+                                        Texts.number(run.frames().duration(), 1)),
+                        "");
+            }
+            return;
+        }
         boolean found = run.outcome().isFound();
         state = found ? Tone.SKELETON : Tone.MOVE;
         String millis = Texts.number(plan.millis(), plan.millis() < 10 ? 1 : 0);

@@ -23,6 +23,8 @@ import troupe.app.session.Session;
 import troupe.paint.Tone;
 import troupe.run.Run;
 import troupe.scene.Ability;
+import troupe.scene.Crowd;
+import troupe.scene.CrowdGroup;
 
 /** Plays the run: buttons, clock, and the timeline with its plot. */
 public final class TimelinePanel extends Panel {
@@ -127,6 +129,13 @@ public final class TimelinePanel extends Panel {
     }
 
     private String doing(Run run, double time) {
+        if (run.scene().task(run.task()).orElse(null) instanceof Crowd crowd) {
+            int people = crowd.allGroups()
+                    .flatMap(group -> group.members().stream())
+                    .mapToInt(CrowdGroup.Members::count)
+                    .sum();
+            return look().texts().format("clock.people", people);
+        }
         return Figures.legAt(run, time)
                 .map(leg -> {
                     String word = Figures.ability(leg.ability())

@@ -17,6 +17,7 @@ import troupe.app.look.Look;
 import troupe.app.look.Texts;
 import troupe.app.plan.Plan;
 import troupe.app.play.Figures;
+import troupe.app.session.RunViews;
 import troupe.app.session.Session;
 import troupe.paint.Tone;
 import troupe.run.Run;
@@ -40,6 +41,11 @@ final class WhySection extends Panel {
     }
 
     private void refresh() {
+        setVisible(
+                session().plan().filter(plan -> !RunViews.keys(plan).isEmpty()).isEmpty());
+        if (!isVisible()) {
+            return;
+        }
         Rows rows = new Rows(this, look());
         Optional<Run> run = session().run();
         boolean found = run.isEmpty() || run.get().outcome().isFound();
