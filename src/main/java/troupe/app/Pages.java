@@ -116,7 +116,8 @@ final class Pages {
         return new FileDialogs(window.frame(), session, window.look());
     }
 
-    private void unlessUnsaved(Runnable action) {
+    /** Does something that gives up the document, after asking what is to become of what is not saved. */
+    void unlessUnsaved(Runnable action) {
         files().unlessUnsaved(action);
     }
 

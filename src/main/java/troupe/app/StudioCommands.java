@@ -1,5 +1,6 @@
 package troupe.app;
 
+import java.awt.EventQueue;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -11,6 +12,7 @@ import javax.swing.JOptionPane;
 import troupe.app.canvas.Canvas;
 import troupe.app.command.Command;
 import troupe.app.command.Commands;
+import troupe.app.compare.RunCommands;
 import troupe.app.document.Listeners;
 import troupe.app.look.Look;
 import troupe.app.look.Texts;
@@ -182,6 +184,11 @@ final class StudioCommands implements AutoCloseable {
         commands.addChoice("run", "loop", playback.isLooping(), playback::setLooping);
         commands.add("run", "faster", () -> speed(1));
         commands.add("run", "slower", () -> speed(-1));
+        commands.separate();
+        RunCommands runs = new RunCommands(window.frame(), session, look, EventQueue::invokeLater);
+        runs.add(commands, window.pages()::unlessUnsaved);
+        leave.add(runs::close);
+        leave.add(session.plans().add(plan -> commands.get("live").setOn(session.isLive())));
         Consumer<Playback> show = now -> {
             play.setOn(now.isPlaying());
             play.putValue(

@@ -67,6 +67,7 @@ public final class Canvas extends Drawn implements AutoCloseable {
     private final transient List<Runnable> leave = new ArrayList<>();
     private transient Viewport view = new Viewport(0, 0, 1);
     private boolean fitted = true;
+    private final transient Ghost ghost;
     private transient Dimension corner = new Dimension();
     private boolean snapping = true;
     private boolean marked;
@@ -86,10 +87,12 @@ public final class Canvas extends Drawn implements AutoCloseable {
         this.session = session;
         this.painters = new Painters(this.look, eventThread, this::take);
         this.moments = new Moments(this.look, eventThread, this::takeMoment);
+        this.ghost = new Ghost(look, session);
         this.stack = new LayerStack(List.of(
                 layer(this::groundStamp, g -> scenePainter().paintGround(g, view)),
                 layer(this::sceneStamp, g -> scenePainter().paintObstacles(g, view)),
                 layer(() -> prepared == null ? "" : prepared.overlays(), this::paintOverlays),
+                layer(ghost::stamp, g -> ghost.paintWays(g, view)),
                 layer(this::pathStamp, this::paintPath),
                 layer(this::selectionStamp, this::paintSelection),
                 layer(() -> ofMoment, this::paintMoment),
@@ -140,6 +143,7 @@ public final class Canvas extends Drawn implements AutoCloseable {
             repaint();
         }));
         leave.add(session.plans().add(plan -> prepare()));
+        leave.add(session.comparison().listeners().add(c -> repaint()));
         leave.add(session.overlays().listeners().add(choice -> {
             showLayer(choice.layer());
             prepare();
@@ -350,7 +354,7 @@ public final class Canvas extends Drawn implements AutoCloseable {
     }
 
     private Object actorStamp() {
-        return List.of(session.playback().time(), prepared == null ? "" : prepared);
+        return List.of(session.playback().time(), prepared == null ? "" : prepared, ghost.stamp());
     }
 
     private void paintOverlays(Graphics2D g) {
@@ -403,6 +407,7 @@ public final class Canvas extends Drawn implements AutoCloseable {
     }
 
     private void paintActors(Graphics2D g) {
+        ghost.paintMovers(g, view);
         run().ifPresent(run -> run.paintActors(g, view, session.playback().time()));
     }
 

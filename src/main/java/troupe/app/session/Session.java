@@ -48,6 +48,8 @@ public final class Session implements AutoCloseable {
     private Work work = Work.IDLE;
     private List<Integer> looked = List.of();
     private boolean live = true;
+    private final Comparison comparison = new Comparison();
+    private boolean saved;
 
     /** Makes a session of a document; nothing is planned before {@link #planNow()} or the first change. */
     public Session(SceneDocument document, PlanningSteps steps, SceneFiles files, Executor eventThread) {
@@ -55,7 +57,11 @@ public final class Session implements AutoCloseable {
         this.files = files;
         this.eventThread = eventThread;
         this.planner = new LivePlanner(steps, eventThread);
-        planner.plans().add(this::take);
+        planner.plans().add(newer -> {
+            if (!saved) {
+                take(newer);
+            }
+        });
         planner.works().add(now -> work = now);
         document.listeners().add(this::changed);
         overlays.listeners().add(choice -> look());
@@ -128,7 +134,28 @@ public final class Session implements AutoCloseable {
 
     /** Asks for a plan of what is shown. */
     public void planNow() {
+        saved = false;
         planner.request(new Snapshot(document.version(), document.shown(), document.task()));
+    }
+
+    /** Returns the run that is kept to be compared with the one shown. */
+    public Comparison comparison() {
+        return comparison;
+    }
+
+    /**
+     * Shows a saved run: its scene becomes a document that belongs to no file, and it plays as it was saved. Live
+     * planning is switched off; the next plan takes the place of the run.
+     */
+    public void show(Run run) {
+        EventThread.require();
+        live = false;
+        saved = true;
+        planner.cancel();
+        document.open(run.scene(), Optional.empty());
+        document.lookAt(run.task());
+        Snapshot of = new Snapshot(document.version(), document.shown(), document.task());
+        take(new Plan(of, Optional.of(run), List.of(), 0));
     }
 
     /** Takes hold of the simulation that is shown, at the moment shown; see {@link Intervention#grab}. */
@@ -172,7 +199,7 @@ public final class Session implements AutoCloseable {
             look();
         }
         selection.retain(document.shown());
-        if (live || change == SceneDocument.Change.OPENED) {
+        if (live || change == SceneDocument.Change.OPENED && !saved) {
             planNow();
         }
     }
