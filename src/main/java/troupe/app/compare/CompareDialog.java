@@ -47,6 +47,9 @@ final class CompareDialog {
         table.setForeground(look.color(Tone.TEXT));
         table.getTableHeader().setFont(look.font());
         table.getTableHeader().setReorderingAllowed(false);
+        table.getTableHeader().setBackground(look.color(Tone.PANEL));
+        table.getTableHeader().setForeground(look.color(Tone.DIM));
+        table.setFillsViewportHeight(true);
         table.setDefaultRenderer(Object.class, new Renderer());
         table.getAccessibleContext().setAccessibleName(look.text("compare.title"));
         JPanel all = new JPanel(new BorderLayout(0, 10));
