@@ -1,6 +1,7 @@
 package troupe.app;
 
 import java.awt.EventQueue;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -14,6 +15,7 @@ import troupe.app.command.Command;
 import troupe.app.command.Commands;
 import troupe.app.compare.RunCommands;
 import troupe.app.document.Listeners;
+import troupe.app.export.ExportDialog;
 import troupe.app.look.Look;
 import troupe.app.look.Texts;
 import troupe.app.play.Playback;
@@ -30,6 +32,7 @@ import troupe.app.tool.PanTool;
 import troupe.app.tool.PlaceTool;
 import troupe.app.tool.SelectTool;
 import troupe.app.tool.Tool;
+import troupe.exchange.ExportSettings;
 import troupe.paint.Theme;
 
 /** Makes the one list of everything a person can do in a window, and the tools among it. */
@@ -87,13 +90,26 @@ final class StudioCommands implements AutoCloseable {
         commands.add("file", "save", files::save);
         commands.add("file", "saveas", files::saveAs);
         commands.separate();
-        Command export = commands.add("file", "export", window::export);
+        Command export = commands.add("file", "export", this::export);
         Consumer<Playback> able = now -> export.setEnabled(session.run().isPresent());
         able.accept(session.playback());
         leave.add(session.playback().listeners().add(able));
         leave.add(session.plans().add(plan -> able.accept(session.playback())));
         commands.separate();
         commands.add("file", "quit", window::close);
+    }
+
+    /** Asks how the run that is shown is to be written, and writes it. */
+    private void export() {
+        session.run().ifPresent(run -> {
+            Path scene = session.document().file().orElse(Path.of(run.task())).toAbsolutePath();
+            String name = scene.getFileName().toString().replaceFirst("\\.xml$", "") + "-" + run.task();
+            ExportSettings first = ExportSettings.DEFAULT
+                    .at(session.playback().time())
+                    .in(look.theme())
+                    .from(window.eye().angle());
+            ExportDialog.show(window.frame(), look, run, first, scene.resolveSibling(name), EventQueue::invokeLater);
+        });
     }
 
     private void addEdit() {

@@ -26,7 +26,6 @@ import javax.swing.WindowConstants;
 import troupe.app.canvas.Canvas;
 import troupe.app.command.CommandSearch;
 import troupe.app.command.Commands;
-import troupe.app.export.ExportDialog;
 import troupe.app.look.Look;
 import troupe.app.look.Scaling;
 import troupe.app.look.SwingTheme;
@@ -51,7 +50,6 @@ import troupe.app.solid.SolidMode;
 import troupe.app.solid.SolidView;
 import troupe.app.tool.Hits;
 import troupe.app.tool.Tool;
-import troupe.exchange.ExportSettings;
 import troupe.geometry.Box;
 import troupe.paint.Theme;
 import troupe.paint.Viewport;
@@ -340,17 +338,9 @@ final class StudioWindow {
         show(content.timeline(), on);
     }
 
-    /** Asks how the run that is shown is to be written, and writes it. */
-    void export() {
-        session.run().ifPresent(run -> {
-            Path scene = session.document().file().orElse(Path.of(run.task())).toAbsolutePath();
-            String name = scene.getFileName().toString().replaceFirst("\\.xml$", "") + "-" + run.task();
-            ExportSettings first = ExportSettings.DEFAULT
-                    .at(session.playback().time())
-                    .in(look.theme())
-                    .from(content.solid().eye().angle());
-            ExportDialog.show(frame, look, run, first, scene.resolveSibling(name), eventThread);
-        });
+    /** Returns from where the view in three dimensions is seen. */
+    Eye eye() {
+        return content.solid().eye();
     }
 
     /** Shows the view in three dimensions in another place, and remembers it. */

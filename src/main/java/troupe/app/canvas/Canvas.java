@@ -224,16 +224,7 @@ public final class Canvas extends Drawn implements AutoCloseable {
     private Viewport fitting() {
         Scene scene = session.document().shown();
         Box world = new Box(0, 0, scene.world().width(), scene.world().depth());
-        double tall = high() - TOP - BOTTOM;
-        Viewport whole = Viewport.fit(world, MARGIN, TOP, wide() - 2.0 * MARGIN, tall);
-        double right = wide() - corner.width;
-        boolean free = whole.px(world.maxX()) <= right || whole.py(world.maxY()) >= TOP + corner.height;
-        if (corner.width == 0 || free) {
-            return whole;
-        }
-        Viewport beside = Viewport.fit(world, MARGIN, TOP, right - MARGIN, tall);
-        Viewport below = Viewport.fit(world, MARGIN, TOP + corner.height, wide() - 2.0 * MARGIN, tall - corner.height);
-        return beside.scale() >= below.scale() ? beside : below;
+        return Fitting.of(world, MARGIN, TOP, wide() - 2.0 * MARGIN, high() - TOP - BOTTOM, corner);
     }
 
     /** Leaves so many pixels of the upper right corner free of the scene while the whole of it is shown. */
