@@ -27,6 +27,7 @@ import troupe.app.plan.Views;
 import troupe.app.session.OverlayChoice;
 import troupe.app.session.Session;
 import troupe.app.tool.SelectionPainter;
+import troupe.app.tool.SteerTool;
 import troupe.app.tool.Tool;
 import troupe.geometry.Box;
 import troupe.geometry.Point;
@@ -103,7 +104,7 @@ public final class Canvas extends Drawn implements AutoCloseable {
         getAccessibleContext().setAccessibleName(look.text("canvas.name"));
         getAccessibleContext().setAccessibleDescription(look.text("canvas.description"));
         observe();
-        new CanvasMouse(this);
+        new CanvasMouse(this, new SteerTool(session, this::view));
         addFocusListener(new FocusAdapter() {
             @Override
             public void focusGained(FocusEvent event) {

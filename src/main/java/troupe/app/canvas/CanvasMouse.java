@@ -12,6 +12,7 @@ import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import troupe.app.tool.PanTool;
 import troupe.app.tool.Pointer;
+import troupe.app.tool.SteerTool;
 import troupe.app.tool.Tool;
 
 /** Leads the events of the pointer to the tool in hand, or to the view. */
@@ -20,11 +21,13 @@ final class CanvasMouse extends MouseAdapter {
 
     private final Canvas canvas;
     private final PanTool pan;
+    private final SteerTool steer;
     private Tool working;
     private int button;
 
-    CanvasMouse(Canvas canvas) {
+    CanvasMouse(Canvas canvas, SteerTool steer) {
         this.canvas = canvas;
+        this.steer = steer;
         this.pan = new PanTool((dx, dy) -> canvas.show(canvas.view().panned(dx, dy)));
         canvas.addMouseListener(this);
         canvas.addMouseMotionListener(this);
@@ -49,6 +52,11 @@ final class CanvasMouse extends MouseAdapter {
             action.accept(canvas.tool());
             told();
         }
+    }
+
+    /** Tells whether the pointer is on an avatar that can be steered, and the tool in hand lets it. */
+    private boolean steers(MouseEvent event) {
+        return canvas.tool() != null && canvas.tool().key().equals("select") && steer.takes(pointer(event));
     }
 
     private void told() {
@@ -85,7 +93,7 @@ final class CanvasMouse extends MouseAdapter {
         if (SwingUtilities.isMiddleMouseButton(event)) {
             working = pan;
         } else if (SwingUtilities.isLeftMouseButton(event)) {
-            working = canvas.tool();
+            working = steers(event) ? steer : canvas.tool();
         }
         if (working != null) {
             button = event.getButton();
@@ -119,7 +127,7 @@ final class CanvasMouse extends MouseAdapter {
         if (tool != null) {
             Object before = tool.stamp();
             tool.move(pointer(event));
-            canvas.setCursor(tool.cursor(pointer(event)));
+            canvas.setCursor((steers(event) ? steer : tool).cursor(pointer(event)));
             if (!before.equals(tool.stamp())) {
                 told();
             }

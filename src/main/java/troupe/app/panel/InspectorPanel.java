@@ -12,7 +12,7 @@ import troupe.app.look.ThinScrollBarUI;
 import troupe.app.session.Session;
 import troupe.paint.Tone;
 
-/** Shows the selection's properties, what the actor prefers, and why the plan goes this way. */
+/** Shows the selection's properties, what the actor prefers or the simulation can be told, and why the plan goes this way. */
 public final class InspectorPanel extends Panel {
 
     /** Makes the inspector. */
@@ -27,8 +27,9 @@ public final class InspectorPanel extends Panel {
         sections.setBackground(look.color(Tone.PANEL));
         PropertiesSection properties = new PropertiesSection(look, session);
         PreferencesSection preferences = new PreferencesSection(look, session);
+        ControlsSection controls = new ControlsSection(look, session);
         WhySection why = new WhySection(look, session);
-        for (Panel section : new Panel[] {properties, preferences, why}) {
+        for (Panel section : new Panel[] {properties, preferences, controls, why}) {
             section.setBorder(BorderFactory.createCompoundBorder(
                     look.line(0, 0, section == why ? 0 : 1, 0), BorderFactory.createEmptyBorder(11, 16, 11, 16)));
             section.setAlignmentX(LEFT_ALIGNMENT);

@@ -2,6 +2,7 @@ package troupe.app.panel;
 
 import java.awt.Color;
 import java.awt.Cursor;
+import java.awt.EventQueue;
 import java.awt.FontMetrics;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
@@ -21,6 +22,9 @@ import troupe.app.document.SceneEdits;
 import troupe.app.look.Drawn;
 import troupe.app.look.Look;
 import troupe.app.look.Texts;
+import troupe.app.plan.Plan;
+import troupe.app.play.Chronicle;
+import troupe.app.play.Chronicles;
 import troupe.app.play.Figures;
 import troupe.app.play.Playback;
 import troupe.app.session.Session;
@@ -39,6 +43,8 @@ final class TimelineView extends Drawn {
     private final int barHeight;
     private final int plotTop;
     private final int side;
+    private transient Optional<Chronicle> chronicle = Optional.empty();
+    private int curve;
 
     TimelineView(Look look, Session session, Consumer<Runnable> observing) {
         this.look = look;
@@ -52,11 +58,18 @@ final class TimelineView extends Drawn {
         setCursor(Cursor.getPredefinedCursor(Cursor.HAND_CURSOR));
         getAccessibleContext().setAccessibleName(look.text("timeline.name"));
         observing.accept(session.playback().listeners().add(p -> repaint()));
-        observing.accept(session.plans().add(p -> repaint()));
+        Chronicles chronicles = new Chronicles(EventQueue::invokeLater, this::take);
+        observing.accept(chronicles::close);
+        observing.accept(session.plans().add(plan -> follow(plan, chronicles)));
+        session.plan().ifPresent(plan -> follow(plan, chronicles));
         MouseAdapter scrub = new MouseAdapter() {
             @Override
             public void mousePressed(MouseEvent event) {
                 requestFocusInWindow();
+                if (chronicle.isPresent() && event.getY() >= plotTop - look.px(4) && event.getY() < plotTop + look.px(14)) {
+                    nextCurve();
+                    return;
+                }
                 session.playback().pause();
                 session.playback().seek(timeAt(event.getX()));
             }
@@ -72,6 +85,25 @@ final class TimelineView extends Drawn {
         key("RIGHT", p -> p.step(1));
         key("HOME", p -> p.seek(0));
         key("END", p -> p.seek(p.duration()));
+        key("V", p -> nextCurve());
+    }
+
+    private void follow(Plan plan, Chronicles chronicles) {
+        plan.run()
+                .ifPresentOrElse(
+                        run -> chronicles.request(run, plan.live().stepMillis()), () -> take(Optional.empty()));
+        repaint();
+    }
+
+    private void take(Optional<Chronicle> made) {
+        chronicle = made;
+        repaint();
+    }
+
+    /** Shows another of the curves that there are, the one after the last being the first. */
+    void nextCurve() {
+        curve++;
+        repaint();
     }
 
     private void key(String stroke, Consumer<Playback> action) {
@@ -102,7 +134,15 @@ final class TimelineView extends Drawn {
         Graphics2D g = Look.smooth(graphics);
         g.setFont(look.font());
         Optional<Run> run = session.run().filter(r -> !r.legs().isEmpty());
-        if (run.isEmpty() || session.playback().duration() <= 0) {
+        if (chronicle.isPresent() && session.playback().duration() > 0) {
+            paintSeconds(g);
+            ChroniclePainter painter = new ChroniclePainter(look, this::xAt, new ChroniclePainter.Rows(barTop, barHeight, plotTop, getHeight()));
+            painter.paintMarks(g, chronicle.get().marks(), session.playback().duration());
+            List<Chronicle.Curve> curves = chronicle.get().curves();
+            painter.paintCurve(
+                    g, curves.get(curve % curves.size()), session.playback().duration());
+            paintHead(g);
+        } else if (run.isEmpty() || session.playback().duration() <= 0) {
             g.setColor(look.color(Tone.SOFT));
             g.fill(new RoundRectangle2D.Double(side, barTop, width(), barHeight, look.px(8), look.px(8)));
         } else {

@@ -403,8 +403,8 @@ public final class LivePlanner implements AutoCloseable {
         }
 
         @Override
-        public void publish(Run run, List<Simulation.Control> controls) {
-            tell(latest.grown(run, controls, elapsedMs()));
+        public void publish(Run run, Live live) {
+            tell(latest.grown(run, live, elapsedMs()));
         }
 
         /** Takes over what was told last, if that was of the same snapshot. */

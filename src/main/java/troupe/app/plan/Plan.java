@@ -5,7 +5,6 @@ import java.util.Optional;
 import troupe.run.Aspect;
 import troupe.run.Overlay;
 import troupe.run.Run;
-import troupe.run.Simulation;
 import troupe.scene.Problem;
 import troupe.work.Explanation;
 
@@ -16,7 +15,7 @@ import troupe.work.Explanation;
  * @param problems what is wrong with the scene, worst first
  * @param views the views that the planner offers; none until they have been made
  * @param why what else could be done; empty until it has been planned, and first without its flips
- * @param controls what can be set while it runs, of a simulation; none of other tasks
+ * @param live what a simulation offers while it runs
  * @param millis how long planning took, views and explanation not counted
  */
 public record Plan(
@@ -25,23 +24,22 @@ public record Plan(
         List<Problem> problems,
         Views views,
         Optional<Explanation> why,
-        List<Simulation.Control> controls,
+        Live live,
         double millis) {
 
-    /** Copies the lists. */
+    /** Copies the list. */
     public Plan {
         problems = List.copyOf(problems);
-        controls = List.copyOf(controls);
     }
 
     /** Makes a plan without views and explanation. */
     public Plan(Snapshot snapshot, Optional<Run> run, List<Problem> problems, double millis) {
-        this(snapshot, run, problems, Views.NONE, Optional.empty(), List.of(), millis);
+        this(snapshot, run, problems, Views.NONE, Optional.empty(), Live.NONE, millis);
     }
 
     /** Returns this plan with a run of a simulation as far as it has come, after {@code time} milliseconds of work. */
-    public Plan grown(Run further, List<Simulation.Control> offered, double time) {
-        return new Plan(snapshot, Optional.of(further), problems, views, why, offered, time);
+    public Plan grown(Run further, Live now, double time) {
+        return new Plan(snapshot, Optional.of(further), problems, views, why, now, time);
     }
 
     /** Returns the views that the planner offers; empty until they have been made. */
@@ -51,16 +49,16 @@ public record Plan(
 
     /** Returns this plan with its views, out of those that the planner offers. Cost O(their values). */
     public Plan withOverlays(List<Overlay> made, List<Aspect> offered) {
-        return new Plan(snapshot, run, problems, Views.of(snapshot.scene(), made, offered), why, controls, millis);
+        return new Plan(snapshot, run, problems, Views.of(snapshot.scene(), made, offered), why, live, millis);
     }
 
     /** Returns this plan with all that is wrong with its scene. */
     public Plan withProblems(List<Problem> found) {
-        return new Plan(snapshot, run, found, views, why, controls, millis);
+        return new Plan(snapshot, run, found, views, why, live, millis);
     }
 
     /** Returns this plan with what else could be done. */
     public Plan explained(Explanation explanation) {
-        return new Plan(snapshot, run, problems, views, Optional.of(explanation), controls, millis);
+        return new Plan(snapshot, run, problems, views, Optional.of(explanation), live, millis);
     }
 }

@@ -1,5 +1,6 @@
 package troupe.app.plan;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
@@ -21,6 +22,7 @@ final class Simulating {
     private final Supplier<Simulation> fresh;
     private final Steering steering = new Steering();
     private Simulation engine;
+    private double[] stepMillis = new double[1_024];
     private volatile boolean working;
 
     /** Sees what comes of it, and says whether it is still wanted. */
@@ -32,7 +34,7 @@ final class Simulating {
         boolean isCancelled();
 
         /** Takes the run as far as it has come. */
-        void publish(Run run, List<Simulation.Control> controls);
+        void publish(Run run, Live live);
 
         /** Takes how far the work has come. */
         void report(long done, double share);
@@ -78,7 +80,7 @@ final class Simulating {
         while (!watcher.isObsolete()) {
             if (watcher.isCancelled()) {
                 engine.cancel();
-                watcher.publish(engine.run(), engine.controls());
+                watcher.publish(engine.run(), live());
                 return true;
             }
             news |= obey(watcher);
@@ -90,7 +92,7 @@ final class Simulating {
             if (news && (!on || System.nanoTime() - told >= PUBLISH_NANOS)) {
                 told = System.nanoTime();
                 news = false;
-                watcher.publish(engine.run(), engine.controls());
+                watcher.publish(engine.run(), live());
             }
             watcher.report(engine.progress().work(), engine.progress().share());
             if (!engine.outcome().isRunning() && steering.isIdle()) {
@@ -113,7 +115,7 @@ final class Simulating {
     private void advance() {
         long begin = System.nanoTime();
         do {
-            engine.step(1);
+            step();
         } while (engine.outcome().isRunning()
                 && engine.progress().work() < steering.limit()
                 && System.nanoTime() - begin < SLICE_NANOS);
@@ -146,7 +148,22 @@ final class Simulating {
                 && engine.outcome().isRunning()
                 && !watcher.isObsolete()
                 && !watcher.isCancelled()) {
-            engine.step(1);
+            step();
         }
+    }
+
+    private void step() {
+        int step = (int) engine.progress().work();
+        long begin = System.nanoTime();
+        engine.step(1);
+        if (step == stepMillis.length) {
+            stepMillis = Arrays.copyOf(stepMillis, 2 * step);
+        }
+        stepMillis[step] = (System.nanoTime() - begin) / 1e6;
+    }
+
+    private Live live() {
+        return new Live(engine.controls(), Arrays.copyOf(stepMillis, (int)
+                engine.progress().work()));
     }
 }

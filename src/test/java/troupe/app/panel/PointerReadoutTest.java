@@ -11,6 +11,7 @@ import troupe.app.Scenes;
 import troupe.app.document.Version;
 import troupe.app.look.Texts;
 import troupe.app.panel.PointerReadout.Value;
+import troupe.app.plan.Live;
 import troupe.app.plan.Plan;
 import troupe.app.plan.Snapshot;
 import troupe.app.plan.Views;
@@ -40,7 +41,7 @@ class PointerReadoutTest {
                 List.of(),
                 Views.of(scene, overlays, List.of()),
                 Optional.empty(),
-                List.of(),
+                Live.NONE,
                 1);
     }
 

@@ -10,7 +10,6 @@ import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
 import troupe.app.Scenes;
 import troupe.run.Run;
-import troupe.run.Simulation;
 import troupe.search.Outcome;
 
 class SimulatingTest {
@@ -37,7 +36,8 @@ class SimulatingTest {
             }
 
             @Override
-            public void publish(Run run, List<Simulation.Control> controls) {
+            public void publish(Run run, Live live) {
+                assertEquals(run.frames().count(), live.stepMillis().length);
                 told.add(run);
                 each.accept(run);
             }
