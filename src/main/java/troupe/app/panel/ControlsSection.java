@@ -62,7 +62,14 @@ final class ControlsSection extends Panel {
         values.clear();
         Rows rows = new Rows(this, look());
         rows.heading(look().text("inspector.controls"));
+        String group = "";
         for (Simulation.Control control : shown) {
+            String[] parts = control.key().split("\\.");
+            String depth = parts.length == 3 ? parts[1] : "";
+            if (!depth.equals(group)) {
+                rows.subheading(look().texts().format("control.depth", depth));
+                group = depth;
+            }
             JSlider slider = slider(control);
             JLabel value = look().label("", Tone.DIM);
             value.setHorizontalAlignment(SwingConstants.RIGHT);
@@ -72,21 +79,13 @@ final class ControlsSection extends Panel {
             line.add(slider, BorderLayout.CENTER);
             line.add(value, BorderLayout.EAST);
             line.setPreferredSize(new Dimension(100, 26));
-            String word = word(control.key());
+            String word = look().texts().get("control." + parts[parts.length - 1], control.key());
             rows.field(word, line);
-            slider.getAccessibleContext().setAccessibleName(word);
+            slider.getAccessibleContext().setAccessibleName(depth.isEmpty() ? word : word + " " + depth);
             sliders.put(control.key(), slider);
             values.put(control.key(), value);
         }
         revalidate();
-    }
-
-    /** Returns what a control is called: {@code relation.2.cohesion} by its depth and its word. */
-    private String word(String key) {
-        String[] parts = key.split("\\.");
-        String last = parts[parts.length - 1];
-        String word = look().texts().get("control." + last, last);
-        return parts.length == 3 ? look().texts().format("control.depth", word, parts[1]) : word;
     }
 
     private JSlider slider(Simulation.Control control) {
@@ -125,12 +124,15 @@ final class ControlsSection extends Panel {
         }
     }
 
+    /** Returns the position of a value: the slider is finer at its lower end, where most values lie. */
     private static int position(Simulation.Control control, double value) {
-        return (int) Math.rint((value - control.min()) / Math.max(1e-12, control.max() - control.min()) * STEPS);
+        double share = (value - control.min()) / Math.max(1e-12, control.max() - control.min());
+        return (int) Math.rint(Math.sqrt(share) * STEPS);
     }
 
     private static double value(Simulation.Control control, int position) {
-        return control.min() + (control.max() - control.min()) * position / STEPS;
+        double share = (double) position / STEPS;
+        return control.min() + (control.max() - control.min()) * share * share;
     }
 
     /** Shows the values that hold at the moment shown. */

@@ -145,7 +145,7 @@ public final class TimelinePanel extends Panel {
                     double energy = Figures.energyUntil(run, time);
                     return look().texts().format("clock.doing", word, Texts.number(energy, 1));
                 })
-                .orElse(look().text("clock.nothing"));
+                .orElseGet(() -> look().text(run.frames().count() > 0 ? "clock.simulated" : "clock.nothing"));
     }
 
     private static String time(double seconds) {

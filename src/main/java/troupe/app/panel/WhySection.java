@@ -22,6 +22,8 @@ import troupe.app.session.Session;
 import troupe.paint.Tone;
 import troupe.run.Run;
 import troupe.scene.Ability;
+import troupe.scene.Journey;
+import troupe.search.Outcome;
 import troupe.work.Explanation;
 import troupe.work.Route;
 
@@ -49,6 +51,11 @@ final class WhySection extends Panel {
         Rows rows = new Rows(this, look());
         Optional<Run> run = session().run();
         boolean found = run.isEmpty() || run.get().outcome().isFound();
+        boolean infeasible =
+                run.filter(r -> r.outcome() instanceof Outcome.Infeasible).isPresent();
+        boolean simulated = run.filter(r -> !(r.scene().task(r.task()).orElse(null) instanceof Journey))
+                .isPresent();
+        setVisible(!simulated || infeasible);
         Optional<Plan> unplanned = session().plan().filter(plan -> plan.run().isEmpty());
         boolean wrong = unplanned.isPresent() && PlanWords.errors(unplanned.get()) > 0;
         rows.heading(look().text(wrong ? "inspector.wrong" : found ? "inspector.why" : "inspector.why.not"));
