@@ -6,9 +6,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.GraphicsEnvironment;
 import java.awt.Point;
-import java.awt.event.KeyEvent;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
 import javax.swing.JSlider;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Assumptions;
@@ -53,6 +54,7 @@ class SimulationRobotTest {
     private void awaitEnd() {
         Await.until("the simulation has ended", () -> studio.session()
                 .run()
+                .filter(r -> r.scene().equals(studio.session().document().scene()))
                 .filter(r -> !r.outcome().isRunning())
                 .isPresent());
     }
@@ -106,9 +108,11 @@ class SimulationRobotTest {
         Avatar.Pointer pointer = (Avatar.Pointer) avatar.motion();
         Point from = studio.pixel(pointer.start().x(), pointer.start().y());
         OnEventThread.run(() -> studio.session().playback().seek(0));
+        Frames before = alone.frames();
+        int middle = before.count() / 2;
         Point to = studio.pixel(
-                (encounter.start().x() + encounter.goal().x()) / 2,
-                (encounter.start().y() + encounter.goal().y()) / 2);
+                before.value(middle, before.channel(encounter.actor(), "x"), 0),
+                before.value(middle, before.channel(encounter.actor(), "y"), 0));
         studio.pressAndMove(studio.window().canvas(), from, to);
         Await.until(
                 "it has been steered for two seconds",
@@ -118,22 +122,28 @@ class SimulationRobotTest {
         Run steered = run();
         assertTrue(steered.outcome().isFound(), steered.outcome().word());
         assertNotEquals(List.of(), steered.inputs());
-        assertTrue(
-                way(steered, encounter.actor()) > way(alone, encounter.actor()) + 0.02,
-                way(alone, encounter.actor()) + " to " + way(steered, encounter.actor()));
-        studio.keys(KeyEvent.VK_SPACE);
+        Frames frames = steered.frames();
+        double followed =
+                apart(frames, avatar.id(), alone.frames(), avatar.id()).max().orElse(0);
+        assertTrue(followed > 0.5, "the avatar went " + followed + " m");
+        double turned = apart(frames, encounter.actor(), alone.frames(), encounter.actor())
+                .max()
+                .orElse(0);
+        assertTrue(turned > 0.2, "the actor went " + turned + " m from its way");
+        double nearest =
+                apart(frames, encounter.actor(), frames, avatar.id()).min().orElse(0);
+        double touching = scene.actors().get(0).walk().radius() + avatar.radius();
+        assertTrue(nearest >= touching, "they came within " + nearest + " m");
     }
 
-    private static double way(Run run, String actor) {
-        Frames frames = run.frames();
-        int x = frames.channel(actor, "x");
-        int y = frames.channel(actor, "y");
-        double way = 0;
-        for (int f = 1; f < frames.count(); f++) {
-            way += Math.hypot(
-                    frames.value(f, x, 0) - frames.value(f - 1, x, 0),
-                    frames.value(f, y, 0) - frames.value(f - 1, y, 0));
-        }
-        return way;
+    /** Returns how far one is in a run from one in another, in metres, for each frame that both runs have. */
+    private static DoubleStream apart(Frames a, String one, Frames b, String other) {
+        int ax = a.channel(one, "x");
+        int ay = a.channel(one, "y");
+        int bx = b.channel(other, "x");
+        int by = b.channel(other, "y");
+        return IntStream.range(0, Math.min(a.count(), b.count()))
+                .mapToDouble(
+                        f -> Math.hypot(a.value(f, ax, 0) - b.value(f, bx, 0), a.value(f, ay, 0) - b.value(f, by, 0)));
     }
 }

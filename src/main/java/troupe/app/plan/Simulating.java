@@ -89,7 +89,8 @@ final class Simulating {
                 advance();
                 news = true;
             }
-            if (news && (!on || System.nanoTime() - told >= PUBLISH_NANOS)) {
+            boolean pausing = !on || !engine.outcome().isRunning();
+            if (news && (pausing || System.nanoTime() - told >= PUBLISH_NANOS)) {
                 told = System.nanoTime();
                 news = false;
                 watcher.publish(engine.run(), live());
