@@ -66,7 +66,9 @@ final class TimelineView extends Drawn {
             @Override
             public void mousePressed(MouseEvent event) {
                 requestFocusInWindow();
-                if (chronicle.isPresent() && event.getY() >= plotTop - look.px(4) && event.getY() < plotTop + look.px(14)) {
+                if (chronicle.isPresent()
+                        && event.getY() >= plotTop - look.px(4)
+                        && event.getY() < plotTop + look.px(14)) {
                     nextCurve();
                     return;
                 }
@@ -136,7 +138,8 @@ final class TimelineView extends Drawn {
         Optional<Run> run = session.run().filter(r -> !r.legs().isEmpty());
         if (chronicle.isPresent() && session.playback().duration() > 0) {
             paintSeconds(g);
-            ChroniclePainter painter = new ChroniclePainter(look, this::xAt, new ChroniclePainter.Rows(barTop, barHeight, plotTop, getHeight()));
+            ChroniclePainter painter = new ChroniclePainter(
+                    look, this::xAt, new ChroniclePainter.Rows(barTop, barHeight, plotTop, getHeight()));
             painter.paintMarks(g, chronicle.get().marks(), session.playback().duration());
             List<Chronicle.Curve> curves = chronicle.get().curves();
             painter.paintCurve(
