@@ -160,9 +160,9 @@ public final class CrowdPainter {
             double cos = Math.cos(heading) * r;
             double sin = -Math.sin(heading) * r;
             Path2D arrow = new Path2D.Double();
-            arrow.moveTo(x + 0.85 * cos, y + 0.85 * sin);
-            arrow.lineTo(x - 0.35 * cos - 0.6 * sin, y - 0.35 * sin + 0.6 * cos);
-            arrow.lineTo(x - 0.35 * cos + 0.6 * sin, y - 0.35 * sin - 0.6 * cos);
+            arrow.moveTo(x + 0.95 * cos, y + 0.95 * sin);
+            arrow.lineTo(x - 0.55 * cos - 0.45 * sin, y - 0.55 * sin + 0.45 * cos);
+            arrow.lineTo(x - 0.55 * cos + 0.45 * sin, y - 0.55 * sin - 0.45 * cos);
             arrow.closePath();
             g.setColor(edge);
             g.fill(arrow);
