@@ -2,8 +2,13 @@ package troupe.cli;
 
 import java.io.IOException;
 import java.util.List;
+import java.util.Locale;
 import java.util.concurrent.CancellationException;
+import troupe.risk.TradeOff;
+import troupe.run.Json;
+import troupe.run.Report;
 import troupe.run.Run;
+import troupe.scene.Encounter;
 import troupe.scene.Scene;
 import troupe.scene.SceneException;
 import troupe.scene.SceneSource;
@@ -12,6 +17,8 @@ import troupe.work.Explanation;
 
 /** Tells what would change a plan. */
 final class ExplainCommand implements Command {
+    /** The cautions of an encounter's trade-off, in metres of way for a second of risk 1. */
+    private static final List<Double> CAUTIONS = List.of(0.0, 0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0);
 
     @Override
     public String name() {
@@ -38,7 +45,7 @@ final class ExplainCommand implements Command {
         return List.of(
                 "Plans again without each ability that the plan uses and, for ordering=optimal, finds the preferences",
                 "at which the plan becomes another one, up to 1000 times those of the task. Exit code 1: there is",
-                "no plan.");
+                "no plan. Of an encounter it tells what caution costs: length and risk of the optimal plan for several.");
     }
 
     @Override
@@ -49,6 +56,9 @@ final class ExplainCommand implements Command {
         Scene scene = SceneFiles.settled(source.scene(), task, arguments);
         if (SceneFiles.refused(new SceneSource(scene, source.lines()), word, terminal)) {
             return CommandLine.BAD_INPUT;
+        }
+        if (scene.task(task).orElseThrow() instanceof Encounter encounter) {
+            return tradeOff(scene, encounter, arguments, terminal);
         }
         Run run = Planning.plan(scene, task, terminal, false);
         Explainer explainer = new Explainer((other, id) -> Planning.plan(other, id, terminal, true));
@@ -65,5 +75,30 @@ final class ExplainCommand implements Command {
             ExplanationText.lines(explanation).forEach(terminal.out()::println);
         }
         return run.outcome().isFound() ? CommandLine.OK : CommandLine.FAILED;
+    }
+
+    /** Tells what caution costs an encounter: length against risk. */
+    private static int tradeOff(Scene scene, Encounter encounter, Arguments arguments, Terminal terminal) {
+        List<TradeOff.Choice> choices = TradeOff.of(scene, encounter, CAUTIONS);
+        if (arguments.has("--json")) {
+            List<Report> rows = choices.stream()
+                    .map(c -> Report.builder()
+                            .put("caution", c.caution())
+                            .put("length", c.length())
+                            .put("risk", c.risk())
+                            .put("seconds", c.seconds())
+                            .build())
+                    .toList();
+            terminal.out()
+                    .println(Json.of(Report.builder()
+                            .put("task", encounter.id())
+                            .put("trade_off", rows)
+                            .build()));
+        } else {
+            terminal.out().println("caution   length m   risk s   time s");
+            choices.forEach(c -> terminal.out()
+                    .printf(Locale.ROOT, "%7.2f %10.3f %8.4f %8.2f%n", c.caution(), c.length(), c.risk(), c.seconds()));
+        }
+        return choices.isEmpty() ? CommandLine.FAILED : CommandLine.OK;
     }
 }

@@ -91,6 +91,9 @@ final class Planning {
         if (run.outcome() instanceof Outcome.Exhausted && run.report().values().containsKey("arrived")) {
             return run.task() + ": time is over; " + arrivals(run);
         }
+        if (run.outcome() instanceof Outcome.Exhausted && run.report().values().containsKey("arrival")) {
+            return run.task() + ": gave up at the limit of time (duration); " + meetings(run);
+        }
         if (run.outcome() instanceof Outcome.Exhausted) {
             return run.task()
                     + ": gave up at the limit of expansions (limit.expansions); there may still be a solution";
@@ -112,6 +115,9 @@ final class Planning {
         if (values.get("expanded") instanceof Long expanded) {
             words.add(String.format(Locale.ROOT, "%,d expanded", expanded));
         }
+        if (values.containsKey("arrival")) {
+            words.add(meetings(run));
+        }
         words.add(String.format(
                 Locale.ROOT,
                 "%d frames, %.2f s",
@@ -128,6 +134,13 @@ final class Planning {
                 values.get("arrived"),
                 values.get("agents"),
                 values.get("mean_travel_s"));
+    }
+
+    /** Returns how an encounter went. */
+    private static String meetings(Run run) {
+        Object nearest = run.report().values().get("smallest_distance");
+        return run.report().values().get("collisions") + " collisions"
+                + (nearest instanceof Double metres ? String.format(Locale.ROOT, ", nearest %.2f m", metres) : "");
     }
 
     private static void number(Map<String, Object> values, String key, String format, List<String> words) {

@@ -21,7 +21,8 @@ final class ReplayCommand implements Command {
 
     @Override
     public String usage() {
-        return "FILE.run [--verify] [--at T --png FILE [--view solid]] [-o FILE.run] [--json]";
+        return "FILE.run [--verify] [--at T --png FILE [--view solid]] [--show KEYS [--ahead S]]"
+                + " [--strip FILE] [-o FILE.run] [--json]";
     }
 
     @Override
@@ -37,6 +38,9 @@ final class ReplayCommand implements Command {
                 Option.of("--png", "FILE", "draws a picture, - for standard output"),
                 Pictures.VIEW,
                 Pictures.TURN,
+                EncounterPictures.SHOW,
+                EncounterPictures.AHEAD,
+                EncounterPictures.STRIP,
                 Option.of("-o", "FILE.run", "saves the run, one recovered from a journal too; - for standard output"),
                 Option.flag("--json", "prints the report as one JSON object"));
     }
@@ -52,7 +56,7 @@ final class ReplayCommand implements Command {
     public int run(Arguments arguments, Terminal terminal)
             throws UsageException, RunException, ExchangeException, IOException {
         Optional<Double> at = arguments.number("--at");
-        if (at.isPresent() && !arguments.has("--png")) {
+        if (at.isPresent() && !arguments.has("--png") && !EncounterPictures.areMeant(arguments)) {
             throw new UsageException("--at says what --png shows, and --png is missing");
         }
         if (arguments.has("--view") && !arguments.has("--png")) {
@@ -66,8 +70,10 @@ final class ReplayCommand implements Command {
     private static int show(Run run, Optional<Double> at, Arguments arguments, Terminal terminal)
             throws UsageException, RunException, ExchangeException, IOException {
         ExportSettings settings = Pictures.seen(ExportSettings.DEFAULT, arguments);
-        if (arguments.has("--png")) {
-            double time = at.orElse(run.frames().duration());
+        double time = at.orElse(run.frames().duration());
+        if (EncounterPictures.areMeant(arguments)) {
+            EncounterPictures.write(run, time, arguments);
+        } else if (arguments.has("--png")) {
             Pictures.write(run, time, settings, arguments.needed("--png", "FILE"), terminal);
         }
         Optional<String> target = arguments.value("-o");

@@ -27,6 +27,24 @@ final class ColourMap {
         }
     }
 
+    private ColourMap(Color from, Color to) {
+        for (int i = 0; i < table.length; i++) {
+            table[i] = Shapes.blend(from, to, i / 255.0).getRGB();
+        }
+    }
+
+    /** Makes a map of greys, from the floor to ink, as for probabilities. */
+    static ColourMap greys(Theme theme) {
+        return theme == Theme.LIGHT
+                ? new ColourMap(new Color(0xf4f4f4), new Color(0x141414))
+                : new ColourMap(new Color(0x2a2a2a), new Color(0xf2f2f2));
+    }
+
+    /** Makes the map for fields of a key: greys for probabilities, colours for all others. */
+    static ColourMap of(String key, Theme theme) {
+        return key.equals("probability") ? greys(theme) : new ColourMap(theme);
+    }
+
     /** Returns the opaque colour {@code 0xffrrggbb} of a share; below 0 counts as 0, above 1 as 1. */
     int argb(double share) {
         return table[(int) Math.max(0, Math.min(255, Math.round(share * 255)))];

@@ -95,7 +95,7 @@ final class FieldRaster {
 
     private Sampler sampler(double density) {
         if (field.scale() instanceof Overlay.Continuous scale) {
-            ColourMap map = new ColourMap(theme);
+            ColourMap map = ColourMap.of(field.key(), theme);
             double span = scale.max() > scale.min() ? scale.max() - scale.min() : 1;
             int alpha = (int) Math.round(255 * CONTINUOUS_OPACITY) << 24;
             return (value, x, y) ->

@@ -128,7 +128,7 @@ public final class Legend {
             String each =
                     c.contour() > 0 ? ", " + words.apply("every") + " " + number(c.contour()) + " " + c.unit() : "";
             if (filled || c.contour() <= 0) {
-                entries.add(bar(theme, c, name, words));
+                entries.add(bar(theme, overlay.key(), c, name, words));
                 if (c.contour() > 0) {
                     entries.add(line(theme.color(Tone.TEXT, 0.45), Theme.line(1), each.substring(2)));
                 }
@@ -170,8 +170,9 @@ public final class Legend {
         return used;
     }
 
-    private static Entry bar(Theme theme, Overlay.Continuous scale, String name, UnaryOperator<String> words) {
-        ColourMap map = new ColourMap(theme);
+    private static Entry bar(
+            Theme theme, String key, Overlay.Continuous scale, String name, UnaryOperator<String> words) {
+        ColourMap map = ColourMap.of(key, theme);
         String unit = scale.unit().isEmpty() ? "" : " " + scale.unit();
         String text = name + ", " + number(scale.min()) + " " + words.apply("to") + " " + number(scale.max()) + unit;
         BufferedImage colours = new BufferedImage(BAR, 1, BufferedImage.TYPE_INT_ARGB);

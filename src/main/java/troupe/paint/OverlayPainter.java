@@ -120,6 +120,7 @@ public final class OverlayPainter {
         return switch (key) {
             case "skeleton" -> Tone.SKELETON;
             case EXPECTED -> Tone.MOVE;
+            case "plan-before" -> Tone.DIM;
             default -> Tone.ACCENT;
         };
     }

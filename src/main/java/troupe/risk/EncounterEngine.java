@@ -7,6 +7,8 @@ import troupe.grid.GridLimitException;
 import troupe.grid.region.Region;
 import troupe.risk.forecast.Ways;
 import troupe.risk.plan.Ground;
+import troupe.run.Aspect;
+import troupe.run.Frames;
 import troupe.run.Overlay;
 import troupe.run.Run;
 import troupe.run.Simulation;
@@ -36,6 +38,7 @@ public final class EncounterEngine implements Simulation {
     private final boolean[] touching;
     private Outcome outcome = Outcome.RUNNING;
     private Ground ground;
+    private Ways ways;
     private Thinking thinking;
     private double x;
     private double y;
@@ -137,8 +140,7 @@ public final class EncounterEngine implements Simulation {
         } else if (!ground.leads(q)) {
             outcome = new Outcome.Infeasible("no path: walls keep start and goal apart");
         } else {
-            // a walker without extent can be wherever there is no wall
-            Ways ways = new Ways(Region.of(scene, Actor.walker("avatar", 0, 0)));
+            ways = EncounterViews.ways(scene);
             thinking = new Thinking(encounter, actor.walk().radius(), ground, ways, courses);
         }
         report.prepared(System.nanoTime() - begin);
@@ -248,7 +250,23 @@ public final class EncounterEngine implements Simulation {
 
     @Override
     public List<Overlay> overlays() {
-        return List.of();
+        return overlays(List.of());
+    }
+
+    @Override
+    public List<Aspect> aspects(List<Integer> chosen) {
+        return List.of(EncounterViews.ahead());
+    }
+
+    @Override
+    public List<Overlay> overlays(List<Integer> chosen) {
+        if (thinking == null) {
+            return List.of();
+        }
+        Aspect ahead = EncounterViews.ahead();
+        Frames recorded = frames.frames();
+        return new EncounterViews(scene, encounter, recorded, ways)
+                .overlays(recorded.count() - 1, EncounterViews.AHEAD.get(ahead.chosen(chosen, 0)));
     }
 
     @Override

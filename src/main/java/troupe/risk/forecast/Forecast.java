@@ -204,6 +204,20 @@ public final class Forecast {
         return sum;
     }
 
+    /** Returns how likely an avatar is within {@code reach} metres of a place at a step, from 0 to 1. */
+    public double contact(int a, double atX, double atY, double reach, int step) {
+        double all = 0;
+        double near = 0;
+        int first = (a * (steps + 1) + step) * SAMPLES;
+        for (int j = first; j < first + SAMPLES; j++) {
+            double dx = atX - sampleX[j];
+            double dy = atY - sampleY[j];
+            all += weight[j];
+            near += dx * dx + dy * dy < reach * reach ? weight[j] : 0;
+        }
+        return near / all;
+    }
+
     /** Returns the influence of one avatar, at least 0. */
     public double influence(int a, double atX, double atY, double withX, double withY, int step) {
         double fromX = atX - (x[a] + vx[a] * step * STEP);

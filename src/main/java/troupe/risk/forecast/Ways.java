@@ -176,12 +176,12 @@ public final class Ways {
     }
 
     /** Returns the frame of the ground's cells. */
-    GridFrame frame() {
+    public GridFrame frame() {
         return fine;
     }
 
     /** Tells whether a cell of the ground is no wall. */
-    boolean free(int cell) {
+    public boolean isFree(int cell) {
         return ground[cell];
     }
 

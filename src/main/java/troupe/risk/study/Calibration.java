@@ -95,7 +95,7 @@ public final class Calibration {
 
     private static int index(double ahead) {
         int k = (int) Math.rint(ahead / EACH) - 1;
-        if (k < 0 || k >= TIMES) {
+        if (k < 0 || k >= TIMES || Math.abs(EACH * (k + 1) - ahead) > 1e-9) {
             throw new IllegalArgumentException("ahead=" + ahead + " s; needs a multiple of 0.4 from 0.4 to 3.2");
         }
         return k;

@@ -128,7 +128,7 @@ class EquationsTest {
                 for (int cell = 0; cell < density.length; cell++) {
                     double mass = density[cell] * 0.01;
                     sum += mass;
-                    boolean inWall = !ways.free(cell);
+                    boolean inWall = !ways.isFree(cell);
                     assertTrue(!inWall || density[cell] == 0, "mass in a wall at step " + step);
                     boolean beyond = ways.frame().centreX(ways.frame().col(cell)) > 6.3
                             && ways.frame().centreY(ways.frame().row(cell)) < 6;
