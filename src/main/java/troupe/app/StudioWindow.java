@@ -17,7 +17,6 @@ import java.util.function.Consumer;
 import javax.swing.Action;
 import javax.swing.JComponent;
 import javax.swing.JFrame;
-import javax.swing.JLayeredPane;
 import javax.swing.JPanel;
 import javax.swing.JSplitPane;
 import javax.swing.SwingUtilities;
@@ -400,23 +399,8 @@ final class StudioWindow {
 
     /** Opens the search for commands. */
     void search() {
-        JLayeredPane layers = frame.getLayeredPane();
-        for (Component part : layers.getComponentsInLayer(JLayeredPane.POPUP_LAYER)) {
-            if (part instanceof CommandSearch) {
-                return;
-            }
-        }
-        CommandSearch[] search = new CommandSearch[1];
-        search[0] = new CommandSearch(look, content.commands(), () -> {
-            layers.remove(search[0]);
-            layers.repaint();
-            content.canvas().requestFocusInWindow();
-        });
-        search[0].setLocation((layers.getWidth() - search[0].getWidth()) / 2, 48);
-        layers.add(search[0], JLayeredPane.POPUP_LAYER);
-        search[0].validate();
-        layers.repaint();
-        search[0].query().requestFocusInWindow();
+        CommandSearch.open(frame.getLayeredPane(), look, content.commands(), () -> content.canvas()
+                .requestFocusInWindow());
     }
 
     private void runClock(Playback playback) {

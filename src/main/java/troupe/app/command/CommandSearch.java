@@ -11,6 +11,7 @@ import java.awt.event.MouseEvent;
 import javax.swing.AbstractAction;
 import javax.swing.BorderFactory;
 import javax.swing.DefaultListModel;
+import javax.swing.JLayeredPane;
 import javax.swing.JList;
 import javax.swing.JPanel;
 import javax.swing.JTextField;
@@ -83,6 +84,26 @@ public final class CommandSearch extends JPanel {
         key("UP", () -> mark(-1));
         setSize(new Dimension(look.px(WIDTH), look.px(ROWS * ROW + 60)));
         find();
+    }
+
+    /** Opens the search over a window, unless it is open; {@code closed} is run when it is closed. */
+    public static void open(JLayeredPane layers, Look look, Commands commands, Runnable closed) {
+        for (Component part : layers.getComponentsInLayer(JLayeredPane.POPUP_LAYER)) {
+            if (part instanceof CommandSearch) {
+                return;
+            }
+        }
+        CommandSearch[] search = new CommandSearch[1];
+        search[0] = new CommandSearch(look, commands, () -> {
+            layers.remove(search[0]);
+            layers.repaint();
+            closed.run();
+        });
+        search[0].setLocation((layers.getWidth() - search[0].getWidth()) / 2, look.px(48));
+        layers.add(search[0], JLayeredPane.POPUP_LAYER);
+        search[0].validate();
+        layers.repaint();
+        search[0].query().requestFocusInWindow();
     }
 
     /** Returns the field for the words. */

@@ -113,7 +113,7 @@ public final class FlatButton extends JToggleButton {
         int base = (getHeight() - metrics.getHeight()) / 2 + metrics.getAscent();
         g.setColor(ink());
         g.drawString(text, x, base);
-        if (!hint.isEmpty()) {
+        if (!hint.isEmpty() && getWidth() >= getPreferredSize().width) {
             g.setColor(look.color(Tone.DIM));
             g.drawString(hint, getWidth() - look.px(style.padding) - metrics.stringWidth(hint), base);
         }
