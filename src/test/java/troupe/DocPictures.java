@@ -13,6 +13,7 @@ import troupe.exchange.Formats;
 import troupe.exchange.ImageExport;
 import troupe.paint.Picture;
 import troupe.paint.Theme;
+import troupe.paint.solid.Camera;
 import troupe.run.Overlay;
 import troupe.run.Run;
 import troupe.scene.Scene;
@@ -41,6 +42,7 @@ public final class DocPictures {
         plan("apartment", "kitchen-to-bedroom", 0.4);
         views("courtyard", "to-the-fountain");
         Run run = run(scene("courtyard"), "to-the-fountain");
+        write(Picture.of(run, 0.69 * run.frames().duration()).solid(Camera.Angle.DEFAULT), "courtyard-solid");
         Formats.exporter("gif").write(run, ExportSettings.DEFAULT.wide(480), FOLDER.resolve("courtyard.gif"));
     }
 
