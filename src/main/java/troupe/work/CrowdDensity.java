@@ -6,12 +6,13 @@ import troupe.run.Frames;
 import troupe.run.Overlay;
 import troupe.scene.Crowd;
 import troupe.scene.CrowdGroup;
-import troupe.scene.World;
+import troupe.scene.Obstacle;
+import troupe.scene.Scene;
 
 /**
  * Spreads everybody of a crowd over the ground at one moment: a bell with a standard deviation of {@value #SIGMA} m for
  * each person, whose volume is one. So the field adds up to the number of people, but for what lies outside the world.
- * Walls are not looked at. Pure.
+ * What of it falls into obstacles that stand on the ground is left out. Used by one thread at a time.
  */
 final class CrowdDensity {
     private static final double SIGMA = 0.5;
@@ -21,33 +22,52 @@ final class CrowdDensity {
     /** Persons for each square metre; less is left plain. */
     private static final float LEAST = 0.05f;
 
-    private CrowdDensity() {}
+    private final Scene scene;
+    private final GridFrame grid;
+    private final boolean[] solid;
+
+    /** Surveys the ground of a scene. Cost O(cells x corners of the obstacles). */
+    CrowdDensity(Scene scene) {
+        this.scene = scene;
+        double width = scene.world().width();
+        double depth = scene.world().depth();
+        double cell = Math.max(LEAST_CELL, Math.max(width, depth) / MOST_CELLS);
+        grid = new GridFrame(0, 0, cell, (int) Math.ceil(width / cell), (int) Math.ceil(depth / cell));
+        solid = new boolean[grid.size()];
+        for (Obstacle obstacle : scene.obstacles()) {
+            for (int i = 0; i < solid.length && obstacle.offset() <= 0; i++) {
+                solid[i] |= obstacle.outline().contains(grid.centreX(grid.col(i)), grid.centreY(grid.row(i)));
+            }
+        }
+    }
+
+    /** Tells whether it is of this scene. */
+    boolean isOf(Scene other) {
+        return scene.equals(other);
+    }
 
     /**
      * Returns the density in a frame; NaN where there is hardly anybody. Cost O(people + cells).
      *
      * @param scale how the field is to be read
      */
-    static Overlay.Field at(World world, Crowd crowd, Frames frames, int frame, Overlay.Scale scale) {
-        double cell = Math.max(LEAST_CELL, Math.max(world.width(), world.depth()) / MOST_CELLS);
-        GridFrame grid =
-                new GridFrame(0, 0, cell, (int) Math.ceil(world.width() / cell), (int) Math.ceil(world.depth() / cell));
+    Overlay.Field at(Crowd crowd, Frames frames, int frame, Overlay.Scale scale) {
         float[] density = new float[grid.size()];
-        double[] across = new double[(int) Math.ceil(2 * REACH / cell) + 2];
+        double[] across = new double[(int) Math.ceil(2 * REACH / grid.cell()) + 2];
         for (CrowdGroup group : crowd.allGroups().toList()) {
             int x = frames.channel(group.id(), "x");
             int y = frames.channel(group.id(), "y");
             for (int m = 0; x >= 0 && y >= 0 && m < frames.channels().get(x).width(); m++) {
-                add(grid, density, across, frames.value(frame, x, m), frames.value(frame, y, m));
+                add(density, across, frames.value(frame, x, m), frames.value(frame, y, m));
             }
         }
         for (int i = 0; i < density.length; i++) {
-            density[i] = density[i] < LEAST ? Float.NaN : density[i];
+            density[i] = solid[i] || density[i] < LEAST ? Float.NaN : density[i];
         }
         return new Overlay.Field(MomentViews.DENSITY, 0, grid, density, scale);
     }
 
-    private static void add(GridFrame grid, float[] density, double[] across, double x, double y) {
+    private void add(float[] density, double[] across, double x, double y) {
         int left = Math.max(0, grid.colAt(x - REACH));
         int right = Math.min(grid.cols() - 1, grid.colAt(x + REACH));
         int low = Math.max(0, grid.rowAt(y - REACH));

@@ -46,6 +46,7 @@ public final class MomentViews {
 
     private Scene surveyed;
     private String task = "";
+    private CrowdDensity crowded;
     private GridFrame grid;
     private Ways ways;
 
@@ -92,7 +93,10 @@ public final class MomentViews {
         Task what = run.scene().task(run.task()).orElse(null);
         if (what instanceof Crowd crowd && keys.contains(DENSITY)) {
             Overlay.Scale scale = scale(crowd, DENSITY, 0).orElseThrow();
-            made.add(CrowdDensity.at(run.scene().world(), crowd, frames, frame, scale));
+            if (crowded == null || !crowded.isOf(run.scene())) {
+                crowded = new CrowdDensity(run.scene());
+            }
+            made.add(crowded.at(crowd, frames, frame, scale));
         }
         if (what instanceof Encounter encounter && keys.contains(PROBABILITY)) {
             made.add(probability(run.scene(), encounter, frames, frame, aheadSeconds));

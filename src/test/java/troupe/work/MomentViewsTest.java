@@ -67,6 +67,17 @@ class MomentViewsTest {
     }
 
     @Test
+    void noDensityLiesInWalls() throws Exception {
+        Scene scene = SceneXml.read(Path.of("scenes/crowd/fork.xml")).scene();
+        Engine engine = Tasks.start(scene, "fork");
+        engine.step(3);
+        Overlay.Field field =
+                (Overlay.Field) views.at(engine.run(), 0, List.of("density"), 0).get(0);
+        assertTrue(Float.isNaN(field.values()[field.frame().cellAt(7.8, 3)]), "in the west wall");
+        assertTrue(field.values()[field.frame().cellAt(9, 3)] > 0.5, "in the corridor");
+    }
+
+    @Test
     void theProbabilityOfOneAvatarAddsUpToOneAndSpreadsWithTime() throws Exception {
         Run run = encounter(40);
         Overlay.Field soon =
