@@ -42,7 +42,8 @@ public final class EncounterViews {
         this(run.scene(), (Encounter) run.scene().task(run.task()).orElseThrow(), run.frames(), ways(run.scene()));
     }
 
-    EncounterViews(Scene scene, Encounter encounter, Frames frames, Ways ways) {
+    /** Makes the views of frames over a ground that is known already, from {@link #ways}. */
+    public EncounterViews(Scene scene, Encounter encounter, Frames frames, Ways ways) {
         this.encounter = encounter;
         this.frames = frames;
         this.ways = ways;
@@ -50,7 +51,7 @@ public final class EncounterViews {
     }
 
     /** Returns the ways over the ground of a scene: a walker without extent can be wherever there is no wall. */
-    static Ways ways(Scene scene) {
+    public static Ways ways(Scene scene) {
         return new Ways(Region.of(scene, Actor.walker("avatar", 0, 0)));
     }
 

@@ -4,17 +4,12 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
-import troupe.grid.GridFrame;
-import troupe.grid.region.Region;
+import troupe.risk.EncounterViews;
 import troupe.risk.forecast.Blur;
-import troupe.risk.forecast.Forecast;
-import troupe.risk.forecast.History;
-import troupe.risk.forecast.ProbabilityMap;
 import troupe.risk.forecast.Ways;
 import troupe.run.Frames;
 import troupe.run.Overlay;
 import troupe.run.Run;
-import troupe.scene.Actor;
 import troupe.scene.Avatar;
 import troupe.scene.Crowd;
 import troupe.scene.Encounter;
@@ -38,16 +33,18 @@ public final class MomentViews {
     /** The key of the plan before its last change. */
     public static final String BEFORE = "plan-before";
 
+    /** The key of the risk of standing anywhere. */
+    public static final String RISK = "risk";
+
+    /** The key of the ways expected of the avatars. */
+    public static final String EXPECTED = "expected-path";
+
     /** The density in persons for each square metre at which the colours end: people stand shoulder to shoulder. */
     private static final double MOST_DENSITY = 5;
-
-    /** Of the peak of a bell; less probable places are left plain. */
-    private static final double LEAST_SHARE = 0.01;
 
     private Scene surveyed;
     private String task = "";
     private CrowdDensity crowded;
-    private GridFrame grid;
     private Ways ways;
 
     /** Makes views; no ground is surveyed before the first that needs one. */
@@ -60,6 +57,10 @@ public final class MomentViews {
         }
         if (key.equals(PROBABILITY) && task instanceof Encounter encounter) {
             return Optional.of(new Overlay.Continuous("1/m\u00b2", 0, peak(encounter, aheadSeconds), 0));
+        }
+        if (key.equals(RISK) && task instanceof Encounter encounter) {
+            double most = encounter.number(Quantity.W0);
+            return Optional.of(new Overlay.Continuous("", 0, most > 0 ? most : 1, 0));
         }
         return Optional.empty();
     }
@@ -98,91 +99,35 @@ public final class MomentViews {
             }
             made.add(crowded.at(crowd, frames, frame, scale));
         }
-        if (what instanceof Encounter encounter && keys.contains(PROBABILITY)) {
-            made.add(probability(run.scene(), encounter, frames, frame, aheadSeconds));
-        }
-        if (what instanceof Encounter encounter && keys.contains(BEFORE)) {
-            before(encounter, frames, frame).ifPresent(made::add);
+        if (what instanceof Encounter encounter) {
+            made.addAll(among(run, encounter, frame, keys, aheadSeconds));
         }
         return made;
     }
 
-    private Overlay probability(Scene scene, Encounter encounter, Frames frames, int frame, double aheadSeconds) {
-        Ways ground = survey(scene, encounter);
-        Forecast forecast = new Forecast(encounter, ground);
-        List<History> pasts = new ArrayList<>();
-        for (Avatar avatar : encounter.avatars()) {
-            pasts.add(past(encounter, frames, avatar.id(), frame));
-        }
-        forecast.compute(pasts);
-        float[] density = new float[grid.size()];
-        ProbabilityMap map = new ProbabilityMap(forecast, ground);
-        double ahead = Math.max(0, Math.min(encounter.number(Quantity.HORIZON), aheadSeconds));
-        for (int a = 0; a < pasts.size(); a++) {
-            if (forecast.has(a)) {
-                map.add(a, ahead, density);
-            }
-        }
-        double peak = peak(encounter, ahead);
-        for (int i = 0; i < density.length; i++) {
-            density[i] = density[i] < LEAST_SHARE * peak ? Float.NaN : density[i];
-        }
-        return new Overlay.Field(
-                PROBABILITY,
-                0,
-                grid,
-                density,
-                scale(encounter, PROBABILITY, ahead).orElseThrow());
+    private List<Overlay> among(Run run, Encounter encounter, int frame, Collection<String> keys, double aheadSeconds) {
+        Ways ground = survey(run.scene(), encounter);
+        List<Overlay> all =
+                new EncounterViews(run.scene(), encounter, run.frames(), ground).overlays(frame, aheadSeconds);
+        return all.stream()
+                .filter(overlay -> keys.contains(overlay.key()))
+                .map(overlay -> scaled(overlay, scale(encounter, overlay.key(), aheadSeconds)))
+                .toList();
+    }
+
+    /** Gives a field the same colours at every moment. */
+    private static Overlay scaled(Overlay overlay, Optional<Overlay.Scale> scale) {
+        return overlay instanceof Overlay.Field f && scale.isPresent()
+                ? new Overlay.Field(f.key(), f.layer(), f.frame(), f.values(), scale.get())
+                : overlay;
     }
 
     private Ways survey(Scene scene, Encounter encounter) {
         if (ways == null || !scene.equals(surveyed) || !encounter.id().equals(task)) {
-            Region region = Region.of(scene, Actor.walker("avatar", 0, 0));
-            grid = region.frame();
-            ways = new Ways(region);
+            ways = EncounterViews.ways(scene);
             surveyed = scene;
             task = encounter.id();
         }
         return ways;
-    }
-
-    /** Returns what had been seen of an avatar by a frame. */
-    private static History past(Encounter encounter, Frames frames, String avatar, int frame) {
-        int capacity = Forecast.capacity(encounter);
-        History history = new History(capacity);
-        int x = frames.channel(avatar, "x");
-        int y = frames.channel(avatar, "y");
-        for (int f = Math.max(0, frame - capacity + 1); f <= frame && x >= 0 && y >= 0; f++) {
-            double atX = frames.value(f, x, 0);
-            if (Double.isNaN(atX)) {
-                history.clear();
-            } else {
-                history.see(f / frames.rate(), atX, frames.value(f, y, 0));
-            }
-        }
-        return history;
-    }
-
-    /** Finds the plan before the last frame that changed it; none before it has changed. */
-    private static Optional<Overlay> before(Encounter encounter, Frames frames, int frame) {
-        int action = frames.channel(encounter.actor(), "action");
-        int x = frames.channel(encounter.actor(), "plan.x");
-        int y = frames.channel(encounter.actor(), "plan.y");
-        if (action < 0 || x < 0 || y < 0) {
-            return Optional.empty();
-        }
-        int kept = List.of(frames.channels().get(action).unit().split(",")).indexOf("kept");
-        for (int f = frame; f > 0; f--) {
-            if (frames.value(f, action, 0) != kept) {
-                int width = frames.channels().get(x).width();
-                double[] line = new double[2 * width];
-                for (int k = 0; k < width; k++) {
-                    line[2 * k] = frames.value(f - 1, x, k);
-                    line[2 * k + 1] = frames.value(f - 1, y, k);
-                }
-                return Optional.of(new Overlay.Lines(BEFORE, 0, List.of(line)));
-            }
-        }
-        return Optional.empty();
     }
 }

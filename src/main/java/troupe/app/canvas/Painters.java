@@ -107,7 +107,7 @@ final class Painters implements AutoCloseable {
 
     /** Returns what stands in the legend for a view that is made for each moment. */
     private static Optional<Overlay> sample(Task task, String key, double ahead) {
-        if (key.equals(MomentViews.BEFORE)) {
+        if (key.equals(MomentViews.BEFORE) || key.equals(MomentViews.EXPECTED)) {
             return Optional.of(new Overlay.Lines(key, 0, List.of()));
         }
         return MomentViews.scale(task, key, ahead)
@@ -116,7 +116,7 @@ final class Painters implements AutoCloseable {
 
     private Prepared prepare(Plan plan, Set<String> keys, int layer, List<Overlay> samples, int level) {
         List<Overlay> shown = plan.overlays().stream()
-                .filter(o -> keys.contains(o.key()))
+                .filter(o -> keys.contains(o.key()) && !RunViews.replaces(plan, o.key()))
                 .filter(o -> layer == OverlayChoice.ALL_LAYERS || o.layer() == layer)
                 .map(o -> leading(plan, o))
                 .toList();

@@ -73,7 +73,7 @@ public final class AspectBar extends Panel {
         List<Integer> chosen = session().overlays().chosen();
         for (int i = 0; i < aspects.size(); i++) {
             int index = i;
-            if (offered(aspects.get(i))) {
+            if (offered(aspects.get(i)) && !replaced(aspects.get(i))) {
                 int choice = aspects.get(i).chosen(chosen, i);
                 add(button(aspects.get(i), choice, c -> session().overlays().choose(index, c)));
             }
@@ -87,6 +87,15 @@ public final class AspectBar extends Panel {
         setVisible(getComponentCount() > 0);
         revalidate();
         repaint();
+    }
+
+    /** Tells whether what an aspect changes is shown for each moment instead, with a choice of its own. */
+    private boolean replaced(Aspect aspect) {
+        return !aspect.views().isEmpty()
+                && session()
+                        .plan()
+                        .filter(plan -> aspect.views().stream().allMatch(key -> RunViews.replaces(plan, key)))
+                        .isPresent();
     }
 
     private boolean offered(Aspect aspect) {

@@ -23,6 +23,7 @@ public final class ChipBar extends Panel {
             OverlayChoice.TRAILS,
             MomentViews.DENSITY,
             MomentViews.PROBABILITY,
+            MomentViews.RISK,
             MomentViews.BEFORE,
             "skeleton",
             "potential",

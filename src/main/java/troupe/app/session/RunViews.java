@@ -36,14 +36,20 @@ public final class RunViews {
         if (task.orElse(null) instanceof Crowd) {
             keys.addAll(List.of(OverlayChoice.TRAILS, MomentViews.DENSITY));
         } else if (task.orElse(null) instanceof Encounter) {
-            keys.addAll(List.of(MomentViews.PROBABILITY, MomentViews.BEFORE));
+            keys.addAll(List.of(MomentViews.PROBABILITY, MomentViews.RISK, MomentViews.EXPECTED, MomentViews.BEFORE));
         }
         return keys;
     }
 
-    /** Tells whether a view is made anew for each moment. */
+    /** Tells whether a view of the moment shown, or the run itself, stands in place of one of the planner's. */
+    public static boolean replaces(Plan plan, String key) {
+        List<String> keys = keys(plan);
+        return keys.contains(key) || !keys.isEmpty() && key.equals(OverlayChoice.PLAN);
+    }
+
+    /** Tells whether a view of {@link #keys} is made anew for each moment. */
     public static boolean isOfMoment(String key) {
-        return key.equals(MomentViews.DENSITY) || key.equals(MomentViews.PROBABILITY) || key.equals(MomentViews.BEFORE);
+        return !key.equals(OverlayChoice.TRAILS);
     }
 
     /** Returns the respects in which a plan's run can be looked at, beside those of its planner. */
@@ -62,7 +68,7 @@ public final class RunViews {
                 String text = seconds == Math.rint(seconds) ? String.valueOf((int) seconds) : String.valueOf(seconds);
                 choices.add(Aspect.Choice.of("seconds", text));
             }
-            return List.of(new Aspect(AHEAD, choices, List.of(MomentViews.PROBABILITY)));
+            return List.of(new Aspect(AHEAD, choices, List.of(MomentViews.PROBABILITY, MomentViews.RISK)));
         }
         return List.of();
     }
