@@ -35,10 +35,12 @@ import troupe.app.panel.ChipBar;
 import troupe.app.panel.HistoryPanel;
 import troupe.app.panel.InspectorPanel;
 import troupe.app.panel.OutlinePanel;
+import troupe.app.panel.ProblemsSection;
 import troupe.app.panel.StatusBar;
 import troupe.app.panel.TimelinePanel;
 import troupe.app.panel.ToolStrip;
 import troupe.app.play.Playback;
+import troupe.app.problem.Diagnosis;
 import troupe.app.recovery.KeptFiles;
 import troupe.app.recovery.Recovery;
 import troupe.app.session.Session;
@@ -69,6 +71,7 @@ final class StudioWindow {
     private final PlayKey playKey;
     private final Pages pages;
     private final Scaling scaling = new Scaling(() -> look().scale());
+    private final Diagnosis diagnosis;
     private final Recovery recovery;
     private long ticked;
     private Look look;
@@ -94,6 +97,7 @@ final class StudioWindow {
         this.session = session;
         this.settings = settings;
         this.eventThread = eventThread;
+        this.diagnosis = new Diagnosis(session, new Studio.Steps(), eventThread);
         this.clock = new Timer(FRAME_MS, e -> tick());
         this.look = new Look(settings.theme(), new Texts(settings.language()), settings.scale() / 100.0);
         scaling.apply(frame.getLayeredPane());
@@ -203,7 +207,10 @@ final class StudioWindow {
         HistoryPanel history = new HistoryPanel(look, session);
         history.setVisible(historyWanted);
         outline.add(history, BorderLayout.SOUTH);
-        InspectorPanel inspector = new InspectorPanel(look, session);
+        ProblemsSection problems = new ProblemsSection(look, session, diagnosis, this::zoomTo);
+        InspectorPanel inspector = new InspectorPanel(look, session, List.of(problems));
+        Runnable unmark = diagnosis.listeners().add(canvas::show);
+        canvas.show(diagnosis.findings());
         TimelinePanel timeline = new TimelinePanel(
                 look,
                 session,
@@ -248,6 +255,7 @@ final class StudioWindow {
                         made::close,
                         outline::close,
                         history::close,
+                        unmark,
                         inspector::close,
                         timeline::close,
                         status::close,
@@ -366,35 +374,24 @@ final class StudioWindow {
     private void show(Component part, boolean on) {
         if (part.isVisible() != on) {
             if (part.getParent() instanceof JSplitPane split) {
-                showIn(split, part, on);
+                ThinDivider.show(split, part, on);
             } else {
                 part.setVisible(on);
             }
         }
     }
 
-    /** Shows or hides a part of a split; what is shown again is as large as it was. */
-    private static void showIn(JSplitPane split, Component part, boolean on) {
-        boolean columns = split.getOrientation() == JSplitPane.HORIZONTAL_SPLIT;
-        if (!on) {
-            part.setPreferredSize(part.getWidth() > 0 ? part.getSize() : part.getPreferredSize());
-            part.setVisible(false);
-            return;
-        }
-        Dimension wanted = part.getPreferredSize();
-        part.setVisible(true);
-        int size = columns ? wanted.width : wanted.height;
-        int whole = columns ? split.getWidth() : split.getHeight();
-        split.validate();
-        split.setDividerLocation(part == split.getLeftComponent() ? size : whole - split.getDividerSize() - size);
+    private void zoomTo(String id) {
+        session.document()
+                .shown()
+                .element(id)
+                .flatMap(Hits::outline)
+                .ifPresent(outline -> zoomTo(outline.bounds().grown(1.5)));
     }
 
-    private void zoomTo(String id) {
-        session.document().shown().element(id).flatMap(Hits::outline).ifPresent(outline -> {
-            Box box = outline.bounds().grown(1.5);
-            Canvas canvas = content.canvas();
-            canvas.show(Viewport.fit(box, (int) canvas.wide(), (int) canvas.high(), 60));
-        });
+    private void zoomTo(Box box) {
+        Canvas canvas = content.canvas();
+        canvas.show(Viewport.fit(box, (int) canvas.wide(), (int) canvas.high(), 60));
     }
 
     /** Opens the search for commands. */
@@ -428,6 +425,7 @@ final class StudioWindow {
     void dispose() {
         clock.stop();
         playKey.close();
+        diagnosis.close();
         pages.close();
         recovery.close();
         dispose(content);

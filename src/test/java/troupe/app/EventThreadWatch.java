@@ -26,6 +26,7 @@ final class EventThreadWatch implements AutoCloseable {
     private static final Set<String> HARMLESS = Set.of(
             "troupe.grid.GridFrame",
             "troupe.search.Outcome",
+            "troupe.work.Blockage",
             "troupe.work.Explanation",
             "troupe.work.Flip",
             "troupe.work.Route");

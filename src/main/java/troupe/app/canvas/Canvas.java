@@ -24,6 +24,8 @@ import troupe.app.document.SceneDocument;
 import troupe.app.look.Drawn;
 import troupe.app.look.Look;
 import troupe.app.plan.Views;
+import troupe.app.problem.BlockagePainter;
+import troupe.app.problem.Findings;
 import troupe.app.session.OverlayChoice;
 import troupe.app.session.Session;
 import troupe.app.tool.SelectionPainter;
@@ -66,6 +68,7 @@ public final class Canvas extends Drawn implements AutoCloseable {
     private final transient Listeners<Optional<Point>> pointers = new Listeners<>();
     private final transient Listeners<Tool> gestures = new Listeners<>();
     private final transient List<Runnable> leave = new ArrayList<>();
+    private transient Findings findings = Findings.NONE;
     private transient Viewport view = new Viewport(0, 0, 1);
     private boolean fitted = true;
     private final transient Ghost ghost;
@@ -195,6 +198,12 @@ public final class Canvas extends Drawn implements AutoCloseable {
     /** Returns where an event was in the pixels of the viewport. */
     Point2D place(MouseEvent event) {
         return new Point2D.Double(event.getX() / scale, event.getY() / scale);
+    }
+
+    /** Shows what stands in the way of the journey, or nothing. */
+    public void show(Findings found) {
+        findings = found;
+        repaint();
     }
 
     /** Returns the viewport. */
@@ -339,6 +348,7 @@ public final class Canvas extends Drawn implements AutoCloseable {
 
     private Object selectionStamp() {
         return List.of(
+                findings.blockage(),
                 session.selection().ids(),
                 session.document().shown(),
                 tool == null ? "" : tool,
@@ -392,6 +402,9 @@ public final class Canvas extends Drawn implements AutoCloseable {
     }
 
     private void paintSelection(Graphics2D g) {
+        findings.blockage()
+                .ifPresent(b ->
+                        BlockagePainter.paint(g, view, look, session.document().shown(), b));
         SelectionPainter.paint(g, view, look, session.document().shown(), session.selection());
         if (tool != null) {
             tool.paint(g, view);

@@ -1,6 +1,7 @@
 package troupe.app.look;
 
 import java.awt.Component;
+import java.awt.Dimension;
 import java.awt.Graphics;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
@@ -32,6 +33,22 @@ public final class ThinDivider extends BasicSplitPaneUI {
         split.setBorder(BorderFactory.createEmptyBorder());
         split.setBackground(look.color(Tone.PANEL));
         return split;
+    }
+
+    /** Shows or hides a part of a split; what is shown again is as large as it was. */
+    public static void show(JSplitPane split, Component part, boolean on) {
+        boolean columns = split.getOrientation() == JSplitPane.HORIZONTAL_SPLIT;
+        if (!on) {
+            part.setPreferredSize(part.getWidth() > 0 ? part.getSize() : part.getPreferredSize());
+            part.setVisible(false);
+            return;
+        }
+        Dimension wanted = part.getPreferredSize();
+        part.setVisible(true);
+        int size = columns ? wanted.width : wanted.height;
+        int whole = columns ? split.getWidth() : split.getHeight();
+        split.validate();
+        split.setDividerLocation(part == split.getLeftComponent() ? size : whole - split.getDividerSize() - size);
     }
 
     @Override

@@ -2,6 +2,8 @@ package troupe.app.panel;
 
 import java.awt.BorderLayout;
 import java.awt.Dimension;
+import java.util.ArrayList;
+import java.util.List;
 import javax.swing.BorderFactory;
 import javax.swing.BoxLayout;
 import javax.swing.JPanel;
@@ -15,8 +17,13 @@ import troupe.paint.Tone;
 /** Shows the selection's properties, what the actor prefers or the simulation can be told, and why the plan goes this way. */
 public final class InspectorPanel extends Panel {
 
-    /** Makes the inspector. */
+    /** Makes the inspector without a list of problems. */
     public InspectorPanel(Look look, Session session) {
+        this(look, session, List.of());
+    }
+
+    /** Makes the inspector with sections above the others, such as the list of problems. */
+    public InspectorPanel(Look look, Session session, List<? extends Panel> above) {
         super(look, session, new BorderLayout());
         setName("inspector");
         setBorder(look.line(0, 1, 0, 0));
@@ -29,7 +36,9 @@ public final class InspectorPanel extends Panel {
         PreferencesSection preferences = new PreferencesSection(look, session);
         ControlsSection controls = new ControlsSection(look, session);
         WhySection why = new WhySection(look, session);
-        for (Panel section : new Panel[] {properties, preferences, controls, why}) {
+        List<Panel> all = new ArrayList<>(above);
+        all.addAll(List.of(properties, preferences, controls, why));
+        for (Panel section : all) {
             section.setBorder(BorderFactory.createCompoundBorder(
                     look.line(0, 0, section == why ? 0 : 1, 0), BorderFactory.createEmptyBorder(11, 16, 11, 16)));
             section.setAlignmentX(LEFT_ALIGNMENT);
