@@ -1,6 +1,5 @@
 package troupe.crowd;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.ForkJoinPool;
@@ -11,6 +10,7 @@ import troupe.crowd.flock.Sweep;
 import troupe.crowd.ground.Ground;
 import troupe.crowd.ground.Way;
 import troupe.grid.GridLimitException;
+import troupe.run.Inputs;
 import troupe.run.Overlay;
 import troupe.run.Run;
 import troupe.run.Simulation;
@@ -34,10 +34,9 @@ public final class CrowdEngine implements Simulation {
     private final Agents agents;
     private final CrowdFrames frames;
     private final long limit;
-    private final List<Run.Input> inputs = new ArrayList<>();
+    private final Inputs inputs = new Inputs();
     private final CrowdReport report;
     private Crowd tuned;
-    private int taken;
     private Ground ground;
     private Flock flock;
     private Splitting splitting;
@@ -137,13 +136,9 @@ public final class CrowdEngine implements Simulation {
     }
 
     private void takeInputs() {
-        boolean changed = false;
-        while (taken < inputs.size() && inputs.get(taken).step() <= steps) {
-            Run.Input input = inputs.get(taken++);
-            tuned = CrowdSettings.with(tuned, input.key(), input.value());
-            changed = true;
-        }
-        if (changed) {
+        Crowd before = tuned;
+        inputs.take(steps, input -> tuned = CrowdSettings.with(tuned, input.key(), input.value()));
+        if (tuned != before) {
             flock.take(tuned);
         }
     }
@@ -169,23 +164,7 @@ public final class CrowdEngine implements Simulation {
 
     @Override
     public void give(Run.Input input) {
-        Control control = controls().stream()
-                .filter(c -> c.key().equals(input.key()))
-                .findFirst()
-                .orElseThrow(() -> new IllegalArgumentException("unknown control '" + input.key() + "'; there are "
-                        + String.join(
-                                ", ", controls().stream().map(Control::key).toList())));
-        if (!(input.value() >= control.min() && input.value() <= control.max())) {
-            throw new IllegalArgumentException(input.key() + "=" + input.value() + "; needs a number from "
-                    + control.min() + " to " + control.max());
-        }
-        long earliest = inputs.isEmpty()
-                ? steps
-                : Math.max(steps, inputs.get(inputs.size() - 1).step());
-        if (input.step() < earliest) {
-            throw new IllegalArgumentException("step " + input.step() + "; needs at least " + earliest);
-        }
-        inputs.add(input);
+        inputs.give(input, controls(), steps);
     }
 
     @Override
@@ -222,6 +201,6 @@ public final class CrowdEngine implements Simulation {
 
     @Override
     public Run run() {
-        return new Run(scene, crowd.id(), outcome, report.build(flock), frames.frames(), List.of(), inputs);
+        return new Run(scene, crowd.id(), outcome, report.build(flock), frames.frames(), List.of(), inputs.all());
     }
 }

@@ -9,6 +9,7 @@ import troupe.risk.forecast.Ways;
 import troupe.risk.plan.Ground;
 import troupe.run.Aspect;
 import troupe.run.Frames;
+import troupe.run.Inputs;
 import troupe.run.Overlay;
 import troupe.run.Run;
 import troupe.run.Simulation;
@@ -34,7 +35,7 @@ public final class EncounterEngine implements Simulation {
     private final List<Course> courses;
     private final EncounterFrames frames;
     private final EncounterReport report;
-    private final List<Run.Input> inputs = new ArrayList<>();
+    private final Inputs inputs = new Inputs();
     private final boolean[] touching;
     private Outcome outcome = Outcome.RUNNING;
     private Ground ground;
@@ -45,7 +46,6 @@ public final class EncounterEngine implements Simulation {
     private int q;
     private double heading;
     private long steps;
-    private int given;
 
     private EncounterEngine(Scene scene, Encounter encounter, Actor actor) {
         this.scene = scene;
@@ -89,23 +89,7 @@ public final class EncounterEngine implements Simulation {
 
     @Override
     public void give(Run.Input input) {
-        Control control = controls().stream()
-                .filter(c -> c.key().equals(input.key()))
-                .findFirst()
-                .orElseThrow(() -> new IllegalArgumentException("there is no control '" + input.key() + "'; there are "
-                        + String.join(
-                                ", ", controls().stream().map(Control::key).toList())));
-        if (!(input.value() >= control.min() && input.value() <= control.max())) {
-            throw new IllegalArgumentException(input.key() + "=" + input.value() + "; needs a number from "
-                    + control.min() + " to " + control.max());
-        }
-        long least = Math.max(
-                steps, inputs.isEmpty() ? 0 : inputs.get(inputs.size() - 1).step());
-        if (input.step() < least) {
-            throw new IllegalArgumentException(
-                    input.key() + " of step " + input.step() + "; needs a step from " + least);
-        }
-        inputs.add(input);
+        inputs.give(input, controls(), steps);
     }
 
     @Override
@@ -157,7 +141,7 @@ public final class EncounterEngine implements Simulation {
 
     private void simulate() {
         double now = steps / encounter.number(Quantity.RATE);
-        takeInputs();
+        inputs.take(steps, this::steer);
         for (int a = 0; a < courses.size(); a++) {
             thinking.see(a, now, courses.get(a).x(now), courses.get(a).y(now));
         }
@@ -179,18 +163,14 @@ public final class EncounterEngine implements Simulation {
         }
     }
 
-    private void takeInputs() {
-        for (; given < inputs.size() && inputs.get(given).step() <= steps; given++) {
-            Run.Input input = inputs.get(given);
-            for (int a = 0; a < courses.size(); a++) {
-                String key = PREFIX + encounter.avatars().get(a).id();
-                boolean isX = input.key().equals(key + ".x");
-                if (isX || input.key().equals(key + ".y")) {
-                    courses.get(a)
-                            .put(
-                                    isX ? input.value() : courses.get(a).x(0),
-                                    isX ? courses.get(a).y(0) : input.value());
-                }
+    private void steer(Run.Input input) {
+        for (int a = 0; a < courses.size(); a++) {
+            String key = PREFIX + encounter.avatars().get(a).id();
+            Course course = courses.get(a);
+            if (input.key().equals(key + ".x")) {
+                course.put(input.value(), course.y(0));
+            } else if (input.key().equals(key + ".y")) {
+                course.put(course.x(0), input.value());
             }
         }
     }
@@ -278,6 +258,6 @@ public final class EncounterEngine implements Simulation {
                 report.build(outcome.isFound(), frames.frames()),
                 frames.frames(),
                 frames.legs(),
-                inputs);
+                inputs.all());
     }
 }

@@ -4,42 +4,15 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.awt.GraphicsEnvironment;
 import java.awt.image.BufferedImage;
 import java.nio.file.Path;
 import javax.swing.JTable;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.Assumptions;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import troupe.run.Run;
 import troupe.run.RunFile;
 
 /** Keeps a run, changes the scene, and compares. */
-class CompareRobotTest {
-    @TempDir
-    Path folder;
-
-    private StudioFixture studio;
-
-    @BeforeEach
-    void open() throws Exception {
-        Assumptions.assumeFalse(GraphicsEnvironment.isHeadless(), "skipped: there is no display");
-        studio = new StudioFixture(folder);
-    }
-
-    @AfterEach
-    void close() {
-        if (studio != null) {
-            studio.close();
-        }
-    }
-
-    private void perform(String command) {
-        OnEventThread.run(() -> studio.window().commands().get(command).perform());
-    }
-
+class CompareRobotTest extends RobotTest {
     private BufferedImage canvas() {
         var canvas = studio.window().canvas();
         BufferedImage image = new BufferedImage(canvas.getWidth(), canvas.getHeight(), BufferedImage.TYPE_INT_RGB);

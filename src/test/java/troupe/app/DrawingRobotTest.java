@@ -4,17 +4,11 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.awt.GraphicsEnvironment;
 import java.awt.Point;
 import java.awt.event.KeyEvent;
-import java.nio.file.Path;
 import java.util.List;
 import javax.swing.JLabel;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.Assumptions;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import troupe.app.canvas.Canvas;
 import troupe.geometry.Polygon;
 import troupe.scene.Journey;
@@ -23,25 +17,7 @@ import troupe.scene.Place;
 import troupe.scene.Scene;
 
 /** Draws and bends things in the real window with mouse and keys. */
-class DrawingRobotTest {
-    @TempDir
-    Path folder;
-
-    private StudioFixture studio;
-
-    @BeforeEach
-    void open() throws Exception {
-        Assumptions.assumeFalse(GraphicsEnvironment.isHeadless(), "skipped: there is no display");
-        studio = new StudioFixture(folder);
-    }
-
-    @AfterEach
-    void close() {
-        if (studio != null) {
-            studio.close();
-        }
-    }
-
+class DrawingRobotTest extends RobotTest {
     private Canvas canvas() {
         return studio.window().canvas();
     }

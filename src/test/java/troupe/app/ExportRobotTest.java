@@ -3,7 +3,6 @@ package troupe.app;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.awt.GraphicsEnvironment;
 import java.awt.event.KeyEvent;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -12,34 +11,17 @@ import java.util.stream.Stream;
 import javax.swing.JLabel;
 import javax.swing.JList;
 import javax.swing.JTextField;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.Assumptions;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import troupe.exchange.Exporter;
 import troupe.exchange.Formats;
 
 /** Exports the run from the window. */
-class ExportRobotTest {
-    @TempDir
-    Path folder;
-
-    private StudioFixture studio;
-
-    @BeforeEach
-    void open() throws Exception {
-        Assumptions.assumeFalse(GraphicsEnvironment.isHeadless(), "skipped: there is no display");
-        studio = new StudioFixture(folder);
+class ExportRobotTest extends RobotTest {
+    @Override
+    void begin() throws Exception {
+        super.begin();
         studio.keys(KeyEvent.VK_CONTROL, KeyEvent.VK_E);
         Await.until("the dialog", () -> studio.shows("export.formats"));
-    }
-
-    @AfterEach
-    void close() {
-        if (studio != null) {
-            studio.close();
-        }
     }
 
     private void choose(String format) {

@@ -6,9 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 
 import java.awt.Component;
 import java.awt.Container;
-import java.awt.GraphicsEnvironment;
 import java.awt.event.KeyEvent;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -16,36 +14,14 @@ import java.util.Set;
 import javax.swing.AbstractButton;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.Assumptions;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import troupe.app.look.Texts;
 import troupe.scene.Scene;
 
 /** Changes the preferences in their dialog, and looks whether everything still fits. */
-class PreferencesRobotTest {
+class PreferencesRobotTest extends RobotTest {
     /** What is shortened where there is no room, and told in full elsewhere. */
     private static final Set<String> SHORTENED = Set.of("status.hint", "top.title");
-
-    @TempDir
-    Path folder;
-
-    private StudioFixture studio;
-
-    @BeforeEach
-    void open() throws Exception {
-        Assumptions.assumeFalse(GraphicsEnvironment.isHeadless(), "skipped: there is no display");
-        studio = new StudioFixture(folder);
-    }
-
-    @AfterEach
-    void close() {
-        if (studio != null) {
-            studio.close();
-        }
-    }
 
     private void resize(int width, int height) {
         OnEventThread.run(() -> studio.window().frame().setSize(width, height));

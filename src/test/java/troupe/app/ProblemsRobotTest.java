@@ -4,15 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.awt.GraphicsEnvironment;
-import java.nio.file.Path;
 import java.util.List;
 import javax.swing.text.JTextComponent;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.Assumptions;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import troupe.app.document.SceneEdits;
 import troupe.paint.Viewport;
 import troupe.scene.Journey;
@@ -20,25 +14,7 @@ import troupe.scene.Place;
 import troupe.scene.Scene;
 
 /** Breaks the courtyard, reads what is wrong, and mends it with the buttons of the real window. */
-class ProblemsRobotTest {
-    @TempDir
-    Path folder;
-
-    private StudioFixture studio;
-
-    @BeforeEach
-    void open() throws Exception {
-        Assumptions.assumeFalse(GraphicsEnvironment.isHeadless(), "skipped: there is no display");
-        studio = new StudioFixture(folder);
-    }
-
-    @AfterEach
-    void close() {
-        if (studio != null) {
-            studio.close();
-        }
-    }
-
+class ProblemsRobotTest extends RobotTest {
     private void commit(Scene changed) {
         OnEventThread.run(() -> studio.session().document().commit("break", changed));
     }

@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.awt.GraphicsEnvironment;
 import java.awt.Robot;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
@@ -20,36 +19,20 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.Assumptions;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import troupe.app.document.SceneDocument;
 import troupe.scene.Scene;
 import troupe.scene.SceneXml;
 
 /** Kills a studio while a person works in it, and opens another one. */
-class RecoveryRobotTest {
-    @TempDir
-    Path folder;
-
+class RecoveryRobotTest extends RobotTest {
     private Path file;
     private Scene saved;
-    private StudioFixture studio;
 
-    @BeforeEach
-    void open() throws Exception {
-        Assumptions.assumeFalse(GraphicsEnvironment.isHeadless(), "skipped: there is no display");
+    @Override
+    void begin() throws Exception {
         file = Files.copy(Path.of(Studio.DEFAULT_SCENE), folder.resolve("courtyard.xml"));
         saved = SceneXml.read(file).scene();
-    }
-
-    @AfterEach
-    void close() {
-        if (studio != null) {
-            studio.close();
-        }
     }
 
     private static String classes(Class<?> type) throws URISyntaxException {

@@ -6,44 +6,25 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Component;
-import java.awt.GraphicsEnvironment;
 import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
-import java.nio.file.Path;
 import java.util.Arrays;
 import javax.swing.SwingUtilities;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.Assumptions;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import troupe.app.canvas.Canvas;
 import troupe.app.solid.Eye;
 import troupe.app.solid.SolidView;
 import troupe.scene.World;
 
 /** Works the view in three dimensions with mouse and keys. */
-class SolidRobotTest {
-    @TempDir
-    Path folder;
-
-    private StudioFixture studio;
-
-    @BeforeEach
-    void open() throws Exception {
-        Assumptions.assumeFalse(GraphicsEnvironment.isHeadless(), "skipped: there is no display");
-        studio = new StudioFixture(folder);
+class SolidRobotTest extends RobotTest {
+    @Override
+    void begin() throws Exception {
+        super.begin();
         studio.keys(KeyEvent.VK_CONTROL, KeyEvent.VK_ALT, KeyEvent.VK_1);
         Await.until("the card", () -> studio.find("solid").isShowing());
-    }
-
-    @AfterEach
-    void close() {
-        if (studio != null) {
-            studio.close();
-        }
     }
 
     private SolidView view() {

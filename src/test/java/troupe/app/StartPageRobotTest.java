@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Component;
-import java.awt.GraphicsEnvironment;
 import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.Transferable;
 import java.awt.event.KeyEvent;
@@ -15,35 +14,13 @@ import java.util.List;
 import java.util.Optional;
 import javax.swing.JMenu;
 import javax.swing.TransferHandler.TransferSupport;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.Assumptions;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import troupe.app.document.SceneDocument;
 import troupe.scene.Scene;
 import troupe.scene.SceneXml;
 
 /** Begins on the start page, with new scenes, with files dropped and opened before, as a person would. */
-class StartPageRobotTest {
-    @TempDir
-    Path folder;
-
-    private StudioFixture studio;
-
-    @BeforeEach
-    void open() throws Exception {
-        Assumptions.assumeFalse(GraphicsEnvironment.isHeadless(), "skipped: there is no display");
-        studio = new StudioFixture(folder);
-    }
-
-    @AfterEach
-    void close() {
-        if (studio != null) {
-            studio.close();
-        }
-    }
-
+class StartPageRobotTest extends RobotTest {
     private SceneDocument document() {
         return studio.session().document();
     }

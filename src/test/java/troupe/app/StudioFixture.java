@@ -175,8 +175,16 @@ final class StudioFixture implements AutoCloseable {
         robot.waitForIdle();
     }
 
+    /** Clicks a component as soon as it is to be seen and has come to rest where it belongs. */
     void click(String name) {
         Component component = find(name);
+        Point[] last = {null};
+        Await.until(name + " has come to rest", () -> {
+            Point now = component.isShowing() ? component.getLocationOnScreen() : null;
+            boolean rests = now != null && now.equals(last[0]);
+            last[0] = now;
+            return rests;
+        });
         click(component, component.getWidth() / 2, component.getHeight() / 2);
     }
 

@@ -7,17 +7,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Color;
 import java.awt.Component;
-import java.awt.GraphicsEnvironment;
 import java.awt.Point;
 import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
-import java.nio.file.Path;
 import java.util.List;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.Assumptions;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import troupe.app.plan.Plan;
 import troupe.app.play.Figures;
 import troupe.paint.Viewport;
@@ -26,29 +20,11 @@ import troupe.scene.Scene;
 import troupe.scene.SceneXml;
 
 /** Works the real window with mouse and keys, on a real or a virtual display. */
-class StudioRobotTest {
+class StudioRobotTest extends RobotTest {
     /** The middle of the crate, which stands in the door of the yard, and a place out of everyone's way, in metres. */
     private static final double[] CRATE = {8.125, 7.6};
 
     private static final double[] ASIDE = {5.5, 9.5};
-
-    @TempDir
-    Path folder;
-
-    private StudioFixture studio;
-
-    @BeforeEach
-    void open() throws Exception {
-        Assumptions.assumeFalse(GraphicsEnvironment.isHeadless(), "skipped: there is no display");
-        studio = new StudioFixture(folder);
-    }
-
-    @AfterEach
-    void close() {
-        if (studio != null) {
-            studio.close();
-        }
-    }
 
     private Point at(double[] place) {
         return studio.pixel(place[0], place[1]);

@@ -17,35 +17,21 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Executor;
-import java.util.function.Consumer;
-import java.util.function.Supplier;
 import troupe.app.document.Listeners;
 import troupe.app.document.SceneDocument;
 import troupe.app.look.Drawn;
 import troupe.app.look.Look;
-import troupe.app.plan.Views;
-import troupe.app.problem.BlockagePainter;
 import troupe.app.problem.Findings;
 import troupe.app.session.OverlayChoice;
 import troupe.app.session.Session;
-import troupe.app.tool.SelectionPainter;
 import troupe.app.tool.SteerTool;
 import troupe.app.tool.Tool;
 import troupe.geometry.Box;
 import troupe.geometry.Point;
-import troupe.geometry.Pose;
-import troupe.paint.Labels;
-import troupe.paint.Legend;
-import troupe.paint.OverlayPainter;
-import troupe.paint.RunPainter;
 import troupe.paint.ScaleBar;
-import troupe.paint.ScenePainter;
-import troupe.paint.TaskPainter;
 import troupe.paint.Tone;
 import troupe.paint.Viewport;
-import troupe.scene.Journey;
 import troupe.scene.Scene;
-import troupe.scene.World;
 
 /**
  * Shows the scene from above, what the planner found, and what the tool does. Zooms at the pointer with
@@ -61,46 +47,25 @@ public final class Canvas extends Drawn implements AutoCloseable {
 
     private final transient Look look;
     private final transient Session session;
-    private final transient Painters painters;
-    private final transient Moments moments;
-    private final transient LayerStack stack;
+    private final transient CanvasLayers layers;
     private final transient Listeners<Viewport> views = new Listeners<>();
     private final transient Listeners<Optional<Point>> pointers = new Listeners<>();
     private final transient Listeners<Tool> gestures = new Listeners<>();
     private final transient List<Runnable> leave = new ArrayList<>();
-    private transient Findings findings = Findings.NONE;
     private transient Viewport view = new Viewport(0, 0, 1);
     private boolean fitted = true;
-    private final transient Ghost ghost;
     private transient Dimension corner = new Dimension();
     private boolean snapping = true;
     private boolean marked;
     private final double scale;
     private transient Tool tool;
-    private transient Painters.Prepared prepared;
-    private transient List<OverlayPainter> ofMoment = List.of();
-    private transient Scene painted;
-    private transient List<?> paintedMoment = List.of();
-    private transient ScenePainter scenePainter;
-    private double elevation = Double.POSITIVE_INFINITY;
 
     /** Makes the canvas of a session. */
     public Canvas(Look look, Session session, Executor eventThread) {
         this.look = look.scaled(1);
         this.scale = look.scale();
         this.session = session;
-        this.painters = new Painters(this.look, eventThread, this::take);
-        this.moments = new Moments(this.look, eventThread, this::takeMoment);
-        this.ghost = new Ghost(look, session);
-        this.stack = new LayerStack(List.of(
-                layer(this::groundStamp, g -> scenePainter().paintGround(g, view)),
-                layer(this::sceneStamp, g -> scenePainter().paintObstacles(g, view)),
-                layer(() -> prepared == null ? "" : prepared.overlays(), this::paintOverlays),
-                layer(ghost::stamp, g -> ghost.paintWays(g, view)),
-                layer(this::pathStamp, this::paintPath),
-                layer(this::selectionStamp, this::paintSelection),
-                layer(() -> ofMoment, this::paintMoment),
-                layer(this::actorStamp, this::paintActors)));
+        this.layers = new CanvasLayers(look, session, eventThread, this::tool, this::repaint);
         setName("canvas");
         setFocusable(true);
         setOpaque(true);
@@ -135,39 +100,23 @@ public final class Canvas extends Drawn implements AutoCloseable {
     private void observe() {
         leave.add(session.document().listeners().add(change -> {
             if (change == SceneDocument.Change.OPENED) {
-                prepared = null;
-                painters.forget();
+                layers.forget();
                 fit();
             }
             repaint();
         }));
         leave.add(session.selection().listeners().add(s -> repaint()));
         leave.add(session.playback().listeners().add(p -> {
-            moments.request(session);
+            layers.requestMoment();
             repaint();
         }));
-        leave.add(session.plans().add(plan -> prepare()));
+        leave.add(session.plans().add(plan -> layers.request()));
         leave.add(session.comparison().listeners().add(c -> repaint()));
         leave.add(session.overlays().listeners().add(choice -> {
-            showLayer(choice.layer());
-            prepare();
+            layers.showLayer(choice.layer());
+            layers.request();
         }));
-        prepare();
-    }
-
-    private void prepare() {
-        session.plan().ifPresent(plan -> painters.request(plan, session.overlays()));
-        moments.request(session);
-    }
-
-    private void takeMoment(List<OverlayPainter> made) {
-        ofMoment = made;
-        repaint();
-    }
-
-    private void take(Painters.Prepared made) {
-        prepared = made;
-        repaint();
+        layers.request();
     }
 
     /** Returns the observers of the viewport. */
@@ -202,8 +151,7 @@ public final class Canvas extends Drawn implements AutoCloseable {
 
     /** Shows what stands in the way of the journey, or nothing. */
     public void show(Findings found) {
-        findings = found;
-        repaint();
+        layers.show(found);
     }
 
     /** Returns the viewport. */
@@ -289,139 +237,12 @@ public final class Canvas extends Drawn implements AutoCloseable {
         repaint();
     }
 
-    /** Leaves only a trace of what begins above the floors of the layer looked at. */
-    private void showLayer(int layer) {
-        List<Views.Layer> layers = session.plan().map(p -> p.views().layers()).orElse(List.of());
-        boolean known = layer >= 0
-                && layer < layers.size()
-                && !Double.isNaN(layers.get(layer).highest());
-        elevation = known ? layers.get(layer).highest() : Double.POSITIVE_INFINITY;
-        painted = null;
-        repaint();
-    }
-
-    private ScenePainter scenePainter() {
-        Scene scene = session.document().shown();
-        List<?> moment = moment();
-        if (scene != painted || !moment.equals(paintedMoment)) {
-            painted = scene;
-            paintedMoment = moment;
-            double time = session.playback().time();
-            scenePainter = run().map(run -> run.scene(scene, time))
-                    .orElseGet(() -> new ScenePainter(scene, look.theme()))
-                    .upTo(elevation);
-        }
-        return scenePainter;
-    }
-
-    private Optional<RunPainter> run() {
-        return prepared == null ? Optional.empty() : prepared.run();
-    }
-
-    /** Returns what the look of the scene depends on in the run: the run, and the poses of what it moves. */
-    private List<?> moment() {
-        return run().map(run -> {
-                    List<Pose> poses = run.poses(session.playback().time());
-                    return poses.isEmpty() ? List.of() : List.of(run, poses);
-                })
-                .orElse(List.of());
-    }
-
-    private Object groundStamp() {
-        Scene scene = session.document().shown();
-        return List.of(scene.world(), scene.ditches());
-    }
-
-    private Object sceneStamp() {
-        return List.of(
-                session.document().shown().obstacles(), session.selection().ids(), elevation, moment());
-    }
-
-    private Object pathStamp() {
-        return List.of(
-                prepared == null ? "" : prepared.run().map(RunPainter::stamp).orElse(""),
-                session.document().shownTask().isPresent()
-                        ? session.document().shownTask().get()
-                        : "",
-                session.selection().ids());
-    }
-
-    private Object selectionStamp() {
-        return List.of(
-                findings.blockage(),
-                session.selection().ids(),
-                session.document().shown(),
-                tool == null ? "" : tool,
-                tool == null ? "" : tool.stamp());
-    }
-
-    private Object actorStamp() {
-        return List.of(session.playback().time(), prepared == null ? "" : prepared, ghost.stamp());
-    }
-
-    private void paintOverlays(Graphics2D g) {
-        if (prepared == null || prepared.overlays().isEmpty()) {
-            return;
-        }
-        paintInside(g, prepared.overlays());
-        if (prepared.field()) {
-            scenePainter().paintOutlines(g, view);
-        }
-    }
-
-    private void paintInside(Graphics2D g, List<OverlayPainter> overlays) {
-        World world = session.document().shown().world();
-        Graphics2D inside = (Graphics2D) g.create();
-        inside.clip(new Rectangle2D.Double(
-                view.px(0), view.py(world.depth()), world.width() * view.scale(), world.depth() * view.scale()));
-        overlays.forEach(painter -> painter.paint(inside, view));
-        inside.dispose();
-    }
-
-    private void paintMoment(Graphics2D g) {
-        if (!ofMoment.isEmpty()) {
-            paintInside(g, ofMoment);
-        }
-    }
-
-    private void paintPath(Graphics2D g) {
-        Optional<RunPainter> run = run();
-        Labels labels = new Labels();
-        run.ifPresent(painter -> {
-            painter.paintLegs(g, view);
-            painter.takeRoom(labels, view, Double.NaN);
-        });
-        if (session.document().shownTask().orElse(null) instanceof Journey journey) {
-            TaskPainter.paint(g, session.document().shown(), journey, view, look.theme());
-            TaskPainter.take(labels, journey, view);
-        } else {
-            run.ifPresent(painter -> painter.paintEnds(g, view));
-        }
-        scenePainter().numbering(Set.copyOf(session.selection().ids())).paintLabels(g, view, labels);
-        run.ifPresent(painter -> painter.paintPills(g, view, labels, a -> look.text("word." + a.key())));
-    }
-
-    private void paintSelection(Graphics2D g) {
-        findings.blockage()
-                .ifPresent(b ->
-                        BlockagePainter.paint(g, view, look, session.document().shown(), b));
-        SelectionPainter.paint(g, view, look, session.document().shown(), session.selection());
-        if (tool != null) {
-            tool.paint(g, view);
-        }
-    }
-
-    private void paintActors(Graphics2D g) {
-        ghost.paintMovers(g, view);
-        run().ifPresent(run -> run.paintActors(g, view, session.playback().time()));
-    }
-
     @Override
     protected void paintComponent(Graphics graphics) {
         Graphics2D g = Look.smooth(graphics);
         g.setRenderingHint(RenderingHints.KEY_FRACTIONALMETRICS, RenderingHints.VALUE_FRACTIONALMETRICS_ON);
         g.scale(scale, scale);
-        stack.paint(g, (int) Math.ceil(wide()), (int) Math.ceil(high()), look.color(Tone.CANVAS), view);
+        layers.paint(g, (int) Math.ceil(wide()), (int) Math.ceil(high()), view);
         paintCards(g);
         if (marked) {
             g.setColor(look.color(Tone.ACCENT));
@@ -434,34 +255,20 @@ public final class Canvas extends Drawn implements AutoCloseable {
     private void paintCards(Graphics2D g) {
         int bottom = (int) high() - CARD_MARGIN;
         double scaleBar = ScaleBar.width(view);
-        if (prepared != null && session.overlays().shows(OverlayChoice.LEGEND)) {
-            Legend legend = prepared.legend();
-            int most = (int) (wide() - scaleBar - 5 * CARD_MARGIN);
-            Dimension size = legend.size(g, most);
-            legend.paint(g, CARD_MARGIN, bottom - size.height, most);
+        if (session.overlays().shows(OverlayChoice.LEGEND)) {
+            layers.legend().ifPresent(legend -> {
+                int most = (int) (wide() - scaleBar - 5 * CARD_MARGIN);
+                Dimension size = legend.size(g, most);
+                legend.paint(g, CARD_MARGIN, bottom - size.height, most);
+            });
         }
         ScaleBar.paint(g, view, look.theme(), wide() - 2.0 * CARD_MARGIN, bottom - 6.0);
-    }
-
-    private static LayerStack.Layer layer(Supplier<Object> stamp, Consumer<Graphics2D> painting) {
-        return new LayerStack.Layer() {
-            @Override
-            public Object stamp() {
-                return stamp.get();
-            }
-
-            @Override
-            public void paint(Graphics2D g) {
-                painting.accept(g);
-            }
-        };
     }
 
     /** Leaves what it observes and ends its background thread. */
     @Override
     public void close() {
         leave.forEach(Runnable::run);
-        painters.close();
-        moments.close();
+        layers.close();
     }
 }
