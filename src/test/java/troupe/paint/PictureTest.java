@@ -8,14 +8,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
-import java.io.File;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
-import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -24,12 +22,10 @@ import troupe.run.Overlay;
 import troupe.run.Run;
 
 /**
- * Compares pictures with stored ones, without text since fonts differ between machines. Run with
- * {@code -Dtroupe.pictures=record} to store them anew after an intended change, and look at them.
+ * Compares pictures of what painters draw, each made by hand, with stored ones.
  */
 class PictureTest {
     private static final int WIDTH = 240;
-    private static final File FOLDER = new File("src/test/resources/pictures");
 
     /** A named picture without text. */
     private record Case(String name, Theme theme) {
@@ -77,10 +73,6 @@ class PictureTest {
                     .image(camera, WIDTH, height, 1, name.equals("solid-moved") ? 8 : 3.6, theme.color(Tone.CANVAS));
         }
 
-        File file() {
-            return new File(FOLDER, this + ".png");
-        }
-
         @Override
         public String toString() {
             return name + "-" + theme.key();
@@ -108,19 +100,7 @@ class PictureTest {
     @ParameterizedTest
     @MethodSource("cases")
     void looksLikeTheStoredPicture(Case picture) throws IOException {
-        BufferedImage now = picture.image();
-        if ("record".equals(System.getProperty("troupe.pictures"))) {
-            FOLDER.mkdirs();
-            ImageIO.write(now, "png", picture.file());
-        }
-        assertTrue(picture.file().isFile(), "no stored picture " + picture.file());
-        double difference = difference(ImageIO.read(picture.file()), now);
-        if (difference > 1) {
-            File actual = new File("target/pictures/" + picture + ".png");
-            actual.getParentFile().mkdirs();
-            ImageIO.write(now, "png", actual);
-        }
-        assertTrue(difference <= 1, "differs by " + difference + ", see target/pictures/" + picture + ".png");
+        StoredPictures.assertLooksLike(picture.toString(), picture.image());
     }
 
     @Test
@@ -129,35 +109,10 @@ class PictureTest {
         cases().forEach(c -> images.add(c.image()));
         for (int i = 0; i < images.size(); i++) {
             for (int j = 0; j < i; j++) {
-                double difference = difference(images.get(i), images.get(j));
+                double difference = StoredPictures.difference(images.get(i), images.get(j));
                 assertTrue(difference > 1, "pictures " + j + " and " + i + " differ by " + difference + " only");
             }
         }
-    }
-
-    /**
-     * Returns how far two pictures are apart: 0 if equal, above 1 if the mean difference of a channel
-     * exceeds one level, or if one pixel in two thousand is plainly another colour.
-     */
-    private static double difference(BufferedImage a, BufferedImage b) {
-        if (a.getWidth() != b.getWidth() || a.getHeight() != b.getHeight()) {
-            return Double.POSITIVE_INFINITY;
-        }
-        long sum = 0;
-        int plain = 0;
-        for (int y = 0; y < a.getHeight(); y++) {
-            for (int x = 0; x < a.getWidth(); x++) {
-                int most = 0;
-                for (int shift = 0; shift <= 16; shift += 8) {
-                    int apart = Math.abs((a.getRGB(x, y) >> shift & 255) - (b.getRGB(x, y) >> shift & 255));
-                    sum += apart;
-                    most = Math.max(most, apart);
-                }
-                plain += most > 60 ? 1 : 0;
-            }
-        }
-        double pixels = a.getWidth() * a.getHeight();
-        return Math.max(sum / (3 * pixels), plain / pixels * 2_000);
     }
 
     @Test
