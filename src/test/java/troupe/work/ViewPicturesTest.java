@@ -73,8 +73,7 @@ class ViewPicturesTest {
     static Stream<Case> cases() {
         Stream<Case> journey = Stream.concat(GridOverlays.KEYS.stream(), Stream.of("potential-lines", "effort"))
                 .flatMap(key -> themes(JOURNEY, key));
-        Stream<Case> crate =
-                Stream.of("triggers", "expected-path", "instance").flatMap(key -> themes(CRATE, key));
+        Stream<Case> crate = Stream.of("triggers", "expected-path", "instance").flatMap(key -> themes(CRATE, key));
         Stream<Case> encounter = Stream.of(
                         MomentViews.PROBABILITY, MomentViews.RISK, "expected-ways", MomentViews.BEFORE)
                 .flatMap(key -> themes(ENCOUNTER, key));
@@ -133,8 +132,8 @@ class ViewPicturesTest {
         g.fillRect(0, 0, WIDTH, HEIGHT);
         Viewport view = Viewport.fit(what.scenario().part(), 2, 2, WIDTH - 4.0, HEIGHT - 4.0);
         boolean trails = what.key().equals("trails");
-        RunPainter run = new RunPainter(
-                shown.run(), what.theme(), Integer.MAX_VALUE, trails && spoiled != Spoiled.LEFT_OUT);
+        RunPainter run =
+                new RunPainter(shown.run(), what.theme(), Integer.MAX_VALUE, trails && spoiled != Spoiled.LEFT_OUT);
         ScenePainter scene = run.scene(shown.scene(), what.scenario().time());
         scene.paintGround(g, view);
         scene.paintObstacles(g, view);
@@ -151,8 +150,7 @@ class ViewPicturesTest {
             scene.paintOutlines(g, view);
         }
         if (trails) {
-            RunPainter actors =
-                    spoiled == Spoiled.OTHER_COLOUR ? new RunPainter(shown.run(), painted, 1, true) : run;
+            RunPainter actors = spoiled == Spoiled.OTHER_COLOUR ? new RunPainter(shown.run(), painted, 1, true) : run;
             actors.paintActors(g, at, what.scenario().time());
         }
         g.dispose();
