@@ -1,5 +1,6 @@
 package troupe.risk;
 
+import java.util.Arrays;
 import java.util.List;
 import troupe.scene.Avatar;
 
@@ -7,7 +8,7 @@ import troupe.scene.Avatar;
  * Tells where an avatar is at any time: its script or recording as straight lines between knots; one that is
  * steered stands where it was put last. Metres and seconds. Used by one thread at a time.
  */
-final class Course {
+public final class Course {
     private final double[] times;
     private final double[] xs;
     private final double[] ys;
@@ -20,7 +21,8 @@ final class Course {
         this.recorded = recorded;
     }
 
-    static Course of(Avatar avatar) {
+    /** Works out the course of an avatar. Cost O(knots). */
+    public static Course of(Avatar avatar) {
         if (avatar.motion() instanceof Avatar.Recording recording) {
             return recorded(recording.fixes());
         }
@@ -83,22 +85,27 @@ final class Course {
 
     /** Puts the avatar to a place, where it stays. */
     void put(double x, double y) {
-        java.util.Arrays.fill(xs, x);
-        java.util.Arrays.fill(ys, y);
+        Arrays.fill(xs, x);
+        Arrays.fill(ys, y);
+    }
+
+    /** Returns the time in seconds of the last turn; from then on the avatar stands, or is gone. */
+    public double end() {
+        return times[times.length - 1];
     }
 
     /** Tells whether the avatar is there at a time. */
-    boolean isThere(double time) {
+    public boolean isThere(double time) {
         return !recorded || time >= times[0] - 1e-9 && time <= times[times.length - 1] + 1e-9;
     }
 
-    /** Returns the x at a time, NaN if it is not there. */
-    double x(double time) {
+    /** Returns the x in metres at a time, NaN if it is not there. */
+    public double x(double time) {
         return at(xs, time);
     }
 
-    /** Returns the y at a time, NaN if it is not there. */
-    double y(double time) {
+    /** Returns the y in metres at a time, NaN if it is not there. */
+    public double y(double time) {
         return at(ys, time);
     }
 
@@ -106,7 +113,7 @@ final class Course {
         if (!isThere(time)) {
             return Double.NaN;
         }
-        int k = java.util.Arrays.binarySearch(times, time);
+        int k = Arrays.binarySearch(times, time);
         k = k >= 0 ? k : -k - 2;
         if (k < 0 || k + 1 >= times.length) {
             return values[Math.max(0, Math.min(k, times.length - 1))];

@@ -7,14 +7,17 @@ import java.util.Comparator;
 import java.util.Deque;
 import java.util.HashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import troupe.grid.GridLimitException;
 import troupe.grid.region.Region;
+import troupe.risk.plan.Ground;
 import troupe.scene.Ability;
 import troupe.scene.Actor;
+import troupe.scene.Encounter;
 import troupe.scene.Journey;
 import troupe.scene.Obstacle;
 import troupe.scene.Place;
@@ -30,13 +33,15 @@ import troupe.unified.manipulation.Surroundings;
 /**
  * Checks a scene as a whole: what {@link SceneChecks} finds, and, where that leaves no error, what needs the
  * grid: a start or a goal that stands in an obstacle, or that no layer carries. A goal under movable obstacles is
- * fine where the actor of the journey may move them. Movable obstacles that rest on nothing are warned of.
+ * fine where the actor of the journey may move them. Of an encounter also walls that keep start and goal apart, and
+ * as warnings avatars that walk through obstacles or begin where the actor is. Movable obstacles that rest on
+ * nothing are warned of.
  */
 public final class SceneInspection {
     private final Scene scene;
     private final Map<String, Integer> lines;
-    private final Map<Actor, Optional<Ground>> regions = new HashMap<>();
-    private final Map<Actor, Optional<Ground>> cleared = new HashMap<>();
+    private final Map<Actor, Optional<Standing>> regions = new HashMap<>();
+    private final Map<Actor, Optional<Standing>> cleared = new HashMap<>();
     private final List<Problem> problems = new ArrayList<>();
 
     private SceneInspection(Scene scene, Map<String, Integer> lines) {
@@ -45,7 +50,7 @@ public final class SceneInspection {
     }
 
     /** The configurations of an actor in a scene. */
-    private record Ground(Scene scene, Region region) {
+    private record Standing(Scene scene, Region region) {
         /**
          * Finds the first obstacle over a place that reaches into the stretch of a body on a floor: above the
          * step, movables from the floor itself.
@@ -59,7 +64,7 @@ public final class SceneInspection {
     }
 
     /** What is wrong with a place. */
-    private record Fault(String message, String cure) {}
+    record Fault(String message, String cure) {}
 
     /** Returns all problems, worst first. Cost: one region or two for each actor and set of abilities in use. */
     public static List<Problem> check(SceneSource source) {
@@ -71,6 +76,8 @@ public final class SceneInspection {
         for (Task task : source.scene().tasks()) {
             if (task instanceof Journey journey) {
                 inspection.journey(journey);
+            } else if (task instanceof Encounter encounter) {
+                inspection.encounter(encounter);
             }
         }
         inspection.movables();
@@ -131,6 +138,35 @@ public final class SceneInspection {
         });
     }
 
+    private void encounter(Encounter encounter) {
+        Actor actor = scene.actor(encounter.actor()).orElseThrow();
+        try {
+            Ground ground = new Ground(scene, actor, encounter.goal());
+            Region region = ground.region();
+            Standing standing = new Standing(scene, region);
+            List<Fault> faults = new ArrayList<>();
+            fault("start", encounter.start(), standing).ifPresent(faults::add);
+            fault("goal", encounter.goal(), standing).ifPresent(faults::add);
+            if (faults.isEmpty() && !ground.leads(region.locate(encounter.start()))) {
+                double wide = 2 * region.actor().walk().radius() + scene.world().cell();
+                faults.add(new Fault(
+                        "walls keep the start " + text(encounter.start()) + " and the goal " + text(encounter.goal())
+                                + " apart",
+                        String.format(Locale.ROOT, "leave a gap of at least %.2f m for the actor", wide)));
+            }
+            faults.forEach(fault -> report(encounter, fault));
+            AvatarInspection.of(scene, encounter, actor)
+                    .forEach(p -> problems.add(new Problem(
+                            Severity.WARNING,
+                            encounter.id(),
+                            lines.getOrDefault(encounter.id(), 0),
+                            p.message(),
+                            p.cure())));
+        } catch (GridLimitException tooMuch) {
+            report(encounter, new Fault(tooMuch.found(), tooMuch.cure()));
+        }
+    }
+
     /** Returns what is left of a goal's fault once the actor has moved aside what it can. */
     private Optional<Fault> lasting(Fault fault, Journey journey, Actor actor) {
         if (actor.move().isEmpty() || scene.obstacles().stream().noneMatch(Obstacle::movable)) {
@@ -149,16 +185,16 @@ public final class SceneInspection {
         return cleared.get(actor).flatMap(ground -> fault("goal", journey.goal(), ground));
     }
 
-    private Optional<Ground> ground(Scene built, Journey journey, Actor actor) {
+    private Optional<Standing> ground(Scene built, Journey journey, Actor actor) {
         try {
-            return Optional.of(new Ground(built, Region.of(built, actor)));
+            return Optional.of(new Standing(built, Region.of(built, actor)));
         } catch (GridLimitException tooMuch) {
             report(journey, new Fault(tooMuch.found(), tooMuch.cure()));
             return Optional.empty();
         }
     }
 
-    private static Optional<Fault> fault(String which, Place place, Ground ground) {
+    private static Optional<Fault> fault(String which, Place place, Standing ground) {
         Region region = ground.region();
         String named = "the " + which + " " + text(place);
         String cure = "move the " + which + " to where the actor can stand";
@@ -200,9 +236,9 @@ public final class SceneInspection {
         return String.join(", ", floors.stream().map(SceneInspection::number).toList());
     }
 
-    private void report(Journey journey, Fault fault) {
-        int line = lines.getOrDefault(journey.id(), 0);
-        problems.add(new Problem(Severity.ERROR, journey.id(), line, fault.message(), fault.cure()));
+    private void report(Task task, Fault fault) {
+        int line = lines.getOrDefault(task.id(), 0);
+        problems.add(new Problem(Severity.ERROR, task.id(), line, fault.message(), fault.cure()));
     }
 
     private static String text(Place place) {

@@ -6,12 +6,15 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Random;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import troupe.geometry.Polygon;
 import troupe.scene.Ability;
 import troupe.scene.Actor;
+import troupe.scene.Avatar;
+import troupe.scene.Encounter;
 import troupe.scene.Journey;
 import troupe.scene.Obstacle;
 import troupe.scene.Place;
@@ -132,6 +135,61 @@ class SceneInspectionTest {
                 found.get(0).message());
         Obstacle shelf = box("shelf", 2, 2, 2.7, 3, 0, 0.5);
         assertEquals(List.of(), problems(goal, shelf, movable("laid", 2, 2, 3, 3, 0.5, 1)));
+    }
+
+    @Test
+    void findsWhatKeepsTheActorOfAnEncounterFromItsGoal() {
+        assertEquals(List.of(), meeting(Place.of(1, 1), Place.of(5, 1)));
+        assertProblem(
+                "the start (3, 1) is inside obstacle 'wall', from whose top no way leads",
+                meeting(Place.of(3, 1), Place.of(5, 1), box("wall", 2.5, 0, 3.5, 2, 0, 2)));
+        assertProblem(
+                "the goal (5, 1) leaves actor 'anna' no room to stand",
+                meeting(Place.of(1, 1), Place.of(5, 1), box("wall", 5.2, 0, 5.5, 3, 0, 2)));
+        assertProblem(
+                "walls keep the start (1, 1) and the goal (5, 1) apart",
+                meeting(Place.of(1, 1), Place.of(5, 1), box("wall", 2.5, 0, 3, 3.7, 0, 2)));
+    }
+
+    @Test
+    void warnsOfAvatarsThatWalkThroughThingsOrBeginAtTheActor() {
+        Obstacle wall = box("wall", 2.5, 0, 3.5, 2, 0, 2);
+        Avatar through = Avatar.of(
+                "bob",
+                new Avatar.Script(Place.of(1, 1), 1, List.of(new Avatar.Head(Place.of(5, 1), OptionalDouble.empty()))));
+        assertWarning(
+                "avatar 'bob' walks through obstacle 'wall', 1.5 s after the start at (2.50, 1.00)", wall, through);
+        Avatar round = Avatar.of(
+                "bob",
+                new Avatar.Script(Place.of(1, 1), 1, List.of(new Avatar.Head(Place.of(2, 3), OptionalDouble.empty()))));
+        assertEquals(List.of(), meeting(Place.of(1, 3), Place.of(5, 3), List.of(round), wall));
+        Avatar inside = Avatar.of("bob", new Avatar.Pointer(Place.of(3, 1)));
+        assertWarning("avatar 'bob' begins inside obstacle 'wall', at (3.00, 1.00)", wall, inside);
+        Avatar near = Avatar.of("bob", new Avatar.Pointer(Place.of(1.3, 3)));
+        assertWarning("avatar 'bob' begins 0.30 m from the actor, so they touch", wall, near);
+    }
+
+    private static void assertWarning(String message, Obstacle wall, Avatar avatar) {
+        List<Problem> found = meeting(Place.of(1, 3), Place.of(5, 3), List.of(avatar), wall);
+        assertEquals(1, found.size(), found::toString);
+        assertEquals(Severity.WARNING, found.get(0).severity());
+        assertEquals("go", found.get(0).element());
+        assertEquals(message, found.get(0).message());
+    }
+
+    private static List<Problem> meeting(Place start, Place goal, Obstacle... obstacles) {
+        return meeting(start, goal, List.of(), obstacles);
+    }
+
+    private static List<Problem> meeting(Place start, Place goal, List<Avatar> avatars, Obstacle... obstacles) {
+        Scene scene = new Scene(
+                "",
+                new World(6, 4, 0.1),
+                List.of(obstacles),
+                List.of(),
+                List.of(ANNA),
+                List.of(Encounter.of("go", "anna", start, goal, avatars)));
+        return SceneInspection.check(new SceneSource(scene, Map.of("go", 7)));
     }
 
     private static void assertProblem(String message, List<Problem> found) {

@@ -30,8 +30,11 @@ public final class Calibration {
     private static final double HALF = Math.sqrt(2 * StrictMath.log(2));
 
     private static final double MOST = Math.sqrt(2 * StrictMath.log(10));
-    /** The logarithms of the least and greatest standard deviation in metres, and mobility, that a fit looks at. */
-    private static final double[] LEAST = {StrictMath.log(0.005), StrictMath.log(0.05)};
+    /**
+     * The logarithms of the least and greatest standard deviation in metres, and mobility, that a fit looks at.
+     * Recorded places are not known better than by some centimetres, even where they were smoothed since.
+     */
+    private static final double[] LEAST = {StrictMath.log(0.03), StrictMath.log(0.05)};
 
     private static final double[] LIMIT = {StrictMath.log(2), StrictMath.log(100)};
     private static final int FIT_GRID = 40;
@@ -39,8 +42,9 @@ public final class Calibration {
 
     private final List<double[]> errors;
 
-    private Calibration(List<double[]> errors) {
-        this.errors = errors;
+    /** Judges errors in metres that are known already, those of each 0.4 s ahead up to 3.2 s. */
+    Calibration(List<double[]> errors) {
+        this.errors = List.copyOf(errors);
     }
 
     /**
@@ -130,15 +134,17 @@ public final class Calibration {
     }
 
     /**
-     * Finds the blur of a growth that makes the discs hold what they say: least squares of the difference between
-     * the shares inside the discs of 50 and 90 percent and those numbers, over all times up to 3.2 s.
+     * Finds the blur of a growth under which what people did was likeliest: the greatest likelihood of the errors
+     * as draws from two-dimensional Gaussians, over all times up to 3.2 s, each counting the same. Far misses weigh
+     * in it as they do in a risk; a fit of the shares inside the discs passes over them.
      *
      * @throws IllegalArgumentException if there is no prediction to judge
      */
     public Blur fit(Growth growth) {
-        List<double[]> sorted = errors.stream().map(double[]::clone).toList();
-        sorted.forEach(Arrays::sort);
-        if (sorted.get(0).length == 0) {
+        double[] spread = errors.stream()
+                .mapToDouble(all -> Arrays.stream(all).map(e -> e * e).sum() / (2 * all.length))
+                .toArray();
+        if (Double.isNaN(spread[0])) {
             throw new IllegalArgumentException("no person is recorded for long enough to judge a prediction");
         }
         double[] low = LEAST.clone();
@@ -152,9 +158,9 @@ public final class Calibration {
                             StrictMath.exp(low[0] + (high[0] - low[0]) * i / FIT_GRID),
                             growth,
                             StrictMath.exp(low[1] + (high[1] - low[1]) * j / FIT_GRID));
-                    double off = off(sorted, blur);
-                    if (off < least) {
-                        least = off;
+                    double unlikely = unlikely(spread, blur);
+                    if (unlikely < least) {
+                        least = unlikely;
                         best = blur;
                     }
                 }
@@ -171,23 +177,13 @@ public final class Calibration {
         high[axis] = Math.min(LIMIT[axis], middle + half);
     }
 
-    private static double off(List<double[]> sorted, Blur blur) {
+    /** Returns the mean negative log likelihood, but for a constant; times without a prediction count nothing. */
+    private static double unlikely(double[] spread, Blur blur) {
         double sum = 0;
         for (int k = 0; k < TIMES; k++) {
-            double[] all = sorted.get(k);
-            if (all.length > 0) {
-                double sigma = blur.after(EACH * (k + 1));
-                double half = share(all, HALF * sigma) - 0.5;
-                double most = share(all, MOST * sigma) - 0.9;
-                sum += half * half + most * most;
-            }
+            double sigma = blur.after(EACH * (k + 1));
+            sum += Double.isNaN(spread[k]) ? 0 : 2 * StrictMath.log(sigma) + spread[k] / (sigma * sigma);
         }
         return sum;
-    }
-
-    private static double share(double[] sorted, double most) {
-        int at = Arrays.binarySearch(sorted, most);
-        int below = at >= 0 ? at + 1 : -at - 1;
-        return (double) below / sorted.length;
     }
 }

@@ -14,6 +14,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
 import java.util.Random;
+import java.util.stream.DoubleStream;
 import org.junit.jupiter.api.Test;
 import troupe.SharedData;
 import troupe.risk.forecast.Blur;
@@ -88,51 +89,50 @@ class StudyTest {
         return ((Number) run.report().values().get(key)).doubleValue();
     }
 
-    /** Makes people who walk straight and evenly but for what a known Gaussian adds at the end of each walk. */
-    private static TrackTable walks(double sigma, double mobility, long seed) throws Exception {
+    @Test
+    void aFitFindsTheBlurThatTheErrorsWereDrawnFrom() {
+        long seed = 5;
         Random chance = new Random(seed);
-        StringBuilder text = new StringBuilder("# fps=10\n");
-        int id = 0;
-        for (int k = 0; k < 3000; k++) {
-            int ahead = 4 * (1 + k % 8);
-            double off = sigma * (1 + mobility * ahead / 10.0);
-            id++;
-            for (int f = 0; f <= 8; f++) {
-                text.append(String.format(Locale.ROOT, "%d,%d,%.9f,0%n", f, id, 0.1 * f));
+        for (Blur drawn : List.of(new Blur(0.1, Growth.LINEAR, 2), new Blur(0.06, Growth.ROOT, 5))) {
+            List<double[]> errors = new ArrayList<>();
+            for (int k = 1; k <= 8; k++) {
+                double sigma = drawn.after(0.4 * k);
+                errors.add(DoubleStream.generate(() -> sigma * Math.hypot(chance.nextGaussian(), chance.nextGaussian()))
+                        .limit(4_000)
+                        .toArray());
             }
-            text.append(String.format(
-                    Locale.ROOT,
-                    "%d,%d,%.9f,%.9f%n",
-                    8 + ahead,
-                    id,
-                    0.1 * (8 + ahead) + off * chance.nextGaussian(),
-                    off * chance.nextGaussian()));
+            Calibration calibration = new Calibration(errors);
+            Blur fitted = calibration.fit(drawn.growth());
+            for (double ahead : Calibration.AHEAD) {
+                assertEquals(drawn.after(ahead), fitted.after(ahead), 0.02 * drawn.after(ahead), "seed " + seed);
+                assertEquals(0.5, calibration.insideHalf(fitted, ahead), 0.03, "seed " + seed);
+                assertEquals(0.9, calibration.insideNineTenths(fitted, ahead), 0.02, "seed " + seed);
+            }
         }
-        return TrackTable.read(
-                new ByteArrayInputStream(text.toString().getBytes(StandardCharsets.UTF_8)),
-                "walks.csv",
-                OptionalDouble.empty());
     }
 
     @Test
-    void calibrationJudgesAGaussianByItsOwnDiscs() throws Exception {
-        long seed = 5;
-        Calibration calibration = Calibration.of(walks(0.1, 2, seed), 8, Avatar.DEFAULT_SPEED);
-        // predictions from the middle of the walks see straight lines: only the widest blur tells nothing
-        Blur wide = new Blur(10, Growth.CONSTANT, 0);
-        for (double ahead : Calibration.AHEAD) {
-            assertTrue(calibration.count(ahead) > 0);
-            assertEquals(1, calibration.insideHalf(wide, ahead), 1e-9);
+    void aPredictionIsJudgedByWhereThePersonWas() throws Exception {
+        // a second straight on at 1 m/s, then straight to the left at the same speed
+        StringBuilder text = new StringBuilder("# fps=10\n");
+        for (int f = 0; f <= 20; f++) {
+            text.append(String.format(
+                    Locale.ROOT, "%d,1,%.1f,%.1f%n", f, Math.min(f, 10) / 10.0, Math.max(0, f - 10) / 10.0));
         }
-        Blur fitted = calibration.fit(Growth.LINEAR);
-        assertTrue(fitted.sigma() < 0.15, "seed " + seed + ": " + fitted);
-        TrackTable none = TrackTable.read(
-                new ByteArrayInputStream("# fps=10\n0,1,0,0\n".getBytes(StandardCharsets.UTF_8)),
-                "none.csv",
-                OptionalDouble.empty());
-        Calibration empty = Calibration.of(none, 8, 1.8);
-        assertThrows(IllegalArgumentException.class, () -> empty.fit(Growth.LINEAR));
+        Calibration calibration = Calibration.of(table(text.toString()), 8, Avatar.DEFAULT_SPEED);
+        // predictions are made from 0.1 s on, and judged where the recording goes on for long enough
+        assertEquals(16, calibration.count(0.4));
+        assertEquals(4, calibration.count(1.6));
+        // made at 0.1, 0.2, 0.3 and 0.4 s: 0.7, 0.8, 0.9 and 1 m past the turn, and as much to the side
+        assertEquals(Math.hypot(0.9, 0.9), calibration.median(1.6), 1e-9);
         assertThrows(IllegalArgumentException.class, () -> calibration.count(0.5));
+        Calibration none = Calibration.of(table("# fps=10\n0,1,0,0\n"), 8, 1.8);
+        assertThrows(IllegalArgumentException.class, () -> none.fit(Growth.LINEAR));
+    }
+
+    private static TrackTable table(String text) throws Exception {
+        return TrackTable.read(
+                new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)), "walks.csv", OptionalDouble.empty());
     }
 
     @Test
@@ -140,9 +140,10 @@ class StudyTest {
         Calibration hotel = real("hotel");
         Calibration zara = real("zara01");
         Blur usual = new Blur(0.1, Growth.LINEAR, Avatar.DEFAULT_MOBILITY);
-        Blur fitted = hotel.fit(Growth.LINEAR);
-        assertTrue(off(hotel, fitted) < off(hotel, usual));
-        assertTrue(off(zara, fitted) < off(zara, usual));
+        for (Blur fitted : List.of(hotel.fit(Growth.LINEAR), zara.fit(Growth.LINEAR))) {
+            assertTrue(off(hotel, fitted) < off(hotel, usual), fitted::toString);
+            assertTrue(off(zara, fitted) < off(zara, usual), fitted::toString);
+        }
     }
 
     private static Calibration real(String name) throws Exception {
