@@ -1,6 +1,7 @@
 package troupe.app;
 
 import java.awt.CardLayout;
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.Executor;
@@ -8,8 +9,10 @@ import javax.swing.JComponent;
 import javax.swing.JPanel;
 import troupe.app.document.SceneDocument;
 import troupe.app.look.Look;
+import troupe.app.session.Notice;
 import troupe.app.session.Session;
 import troupe.app.settings.StudioSettings;
+import troupe.app.start.Examples;
 import troupe.app.start.ScenePictures;
 import troupe.app.start.StartPage;
 import troupe.scene.Scene;
@@ -76,6 +79,7 @@ final class Pages {
                 file -> unlessUnsaved(() -> session.openCopy(file)),
                 this::create,
                 () -> files().open(),
+                this::tour,
                 this::showScene);
         StartPage page = new StartPage(look, pictures, settings.recent(), deeds, eventThread);
         start = Optional.of(page);
@@ -110,6 +114,21 @@ final class Pages {
     /** Opens a new scene, after asking what is to become of what is not saved. */
     void create(Scene scene) {
         unlessUnsaved(() -> session.document().open(scene, Optional.empty()));
+    }
+
+    /** Begins the tour in the sample scene, after asking what is to become of what is not saved. */
+    void tour() {
+        unlessUnsaved(() -> pictures.inBackground(() -> {
+            try {
+                Path sample = Examples.sample();
+                eventThread.execute(() -> {
+                    window.tour().start();
+                    session.openCopy(sample);
+                });
+            } catch (IOException e) {
+                eventThread.execute(() -> session.notices().tell(new Notice(true, String.valueOf(e.getMessage()))));
+            }
+        }));
     }
 
     private FileDialogs files() {

@@ -13,7 +13,7 @@ import javax.swing.SwingUtilities;
 /** Leads the keys from panel to panel: top bar, tools, outline, views, canvas, inspector, timeline, start page. */
 final class PanelFocus {
     private static final List<String> PANELS =
-            List.of("top", "tools", "outline", "start", "chips", "canvas", "solid", "inspector", "timeline");
+            List.of("top", "tools", "outline", "start", "chips", "canvas", "solid", "inspector", "timeline", "tour");
 
     private PanelFocus() {}
 

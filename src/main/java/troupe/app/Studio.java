@@ -69,6 +69,9 @@ public final class Studio {
                 window.pages().showStart();
             }
             session.planNow();
+            if (scene.isEmpty()) {
+                window.tour().offer(window.pages()::tour);
+            }
         });
     }
 

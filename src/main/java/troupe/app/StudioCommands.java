@@ -61,6 +61,8 @@ final class StudioCommands implements AutoCloseable {
         new ArrangeCommands(session, look).add(commands);
         addPlan();
         addRun();
+        commands.add("help", "tour", window.pages()::tour);
+        commands.separate();
         commands.add("help", "about", this::about);
         take(commands.get("select"));
     }

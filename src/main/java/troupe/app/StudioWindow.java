@@ -51,6 +51,7 @@ import troupe.app.solid.SolidMode;
 import troupe.app.solid.SolidView;
 import troupe.app.tool.Hits;
 import troupe.app.tool.Tool;
+import troupe.app.tour.TourGuide;
 import troupe.geometry.Box;
 import troupe.paint.Theme;
 import troupe.paint.Viewport;
@@ -73,6 +74,7 @@ final class StudioWindow {
     private final Scaling scaling = new Scaling(() -> look().scale());
     private final Diagnosis diagnosis;
     private final Recovery recovery;
+    private final TourGuide tour;
     private long ticked;
     private Look look;
     private Content content;
@@ -123,6 +125,8 @@ final class StudioWindow {
         recovery =
                 new Recovery(session, new KeptFiles(settings.recoveryFolder()), eventThread, look.theme(), this::offer);
         frame.setTransferHandler(new SceneDrop(pages::open));
+        tour = new TourGuide(frame, session, settings);
+        tour.among(this::look, this::canvas, this::commands);
         build();
         playKey = new PlayKey(
                         focused -> SwingUtilities.getWindowAncestor(focused) == frame,
@@ -162,6 +166,11 @@ final class StudioWindow {
         return pages;
     }
 
+    /** Returns what leads through the window. */
+    TourGuide tour() {
+        return tour;
+    }
+
     /** Returns the canvas that is shown now. */
     Canvas canvas() {
         return content.canvas();
@@ -199,6 +208,7 @@ final class StudioWindow {
         frame.repaint();
         canvas.requestFocusInWindow();
         frame.setTitle(FileWords.title(session.document(), look.texts()));
+        tour.relook();
     }
 
     private Content content(Canvas canvas, StudioCommands made) {
@@ -428,6 +438,7 @@ final class StudioWindow {
         diagnosis.close();
         pages.close();
         recovery.close();
+        tour.dispose();
         dispose(content);
         session.close();
         frame.dispose();

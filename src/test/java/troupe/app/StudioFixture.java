@@ -59,6 +59,7 @@ final class StudioFixture implements AutoCloseable {
         Scene scene = SceneXml.read(file).scene();
         settings.put("language", "en");
         settings.put("solid", "hidden");
+        settings.put("tour", "true");
         settings.put("recovery", folder.resolve("recovery").toString());
         settings.putAll(chosen);
         window = OnEventThread.get(() -> {

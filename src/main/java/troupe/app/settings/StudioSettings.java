@@ -33,6 +33,7 @@ public final class StudioSettings {
     private static final String OPENING = "opening";
     private static final String SOLID = "solid";
     private static final String FILES = "recent";
+    private static final String TOUR = "tour";
     private static final String RECOVERY = "recovery";
 
     private final BinaryOperator<String> read;
@@ -142,6 +143,16 @@ public final class StudioSettings {
     /** Remembers what to show when no file is named. */
     public void setOpening(Opening opening) {
         write.accept(OPENING, opening.key());
+    }
+
+    /** Tells whether the tour was taken, or declined, before. */
+    public boolean isTourTaken() {
+        return Boolean.parseBoolean(read.apply(TOUR, "false"));
+    }
+
+    /** Remembers that the tour was taken or declined. */
+    public void setTourTaken() {
+        write.accept(TOUR, "true");
     }
 
     /** Returns the files that were opened or saved, the last first, at most {@value #RECENT}. */

@@ -30,11 +30,7 @@ public final class Examples {
      * @throws IOException if the program brings none along, or they cannot be listed
      */
     public static Map<String, List<Path>> find() throws IOException {
-        URL one = Examples.class.getResource(ANY);
-        if (one == null) {
-            throw new IOException("the program brings no " + ANY + " along");
-        }
-        Path root = path(one).getParent().getParent();
+        Path root = sample().getParent().getParent();
         List<Path> files = new ArrayList<>();
         try (Stream<Path> all = Files.walk(root, 2)) {
             all.filter(f -> f.getFileName().toString().endsWith(".xml")).forEach(files::add);
@@ -47,6 +43,19 @@ public final class Examples {
         files.forEach(
                 f -> groups.computeIfAbsent(folder(f), k -> new ArrayList<>()).add(f));
         return groups;
+    }
+
+    /**
+     * Returns the sample scene, the courtyard. Must not be called on the event thread.
+     *
+     * @throws IOException if the program brings none along
+     */
+    public static Path sample() throws IOException {
+        URL one = Examples.class.getResource(ANY);
+        if (one == null) {
+            throw new IOException("the program brings no " + ANY + " along");
+        }
+        return path(one);
     }
 
     private static String folder(Path file) {

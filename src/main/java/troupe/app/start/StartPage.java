@@ -39,10 +39,16 @@ public final class StartPage extends JPanel {
      * @param copy opens a file as a new document, so that the file stays as it is
      * @param create opens a new scene
      * @param choose asks for a file
+     * @param tour begins the tour
      * @param back returns to the scene
      */
     public record Deeds(
-            Consumer<Path> open, Consumer<Path> copy, Consumer<Scene> create, Runnable choose, Runnable back) {}
+            Consumer<Path> open,
+            Consumer<Path> copy,
+            Consumer<Scene> create,
+            Runnable choose,
+            Runnable tour,
+            Runnable back) {}
 
     private static final int SIDE = 286;
 
@@ -92,7 +98,9 @@ public final class StartPage extends JPanel {
         JPanel side = new ScrolledColumn();
         side.setBackground(look.color(Tone.PANEL));
         side.setBorder(BorderFactory.createEmptyBorder(20, 20, 20, 18));
-        side.add(heading("start.new", 0));
+        side.add(heading("start.tour", 0));
+        side.add(aligned(button("command.tour", "start.tour", deeds.tour())));
+        side.add(heading("start.new", 22));
         side.add(aligned(new NewScenePanel(look, deeds.create())));
         side.add(heading("start.file", 22));
         side.add(aligned(button("command.open", "start.open", deeds.choose())));
