@@ -6,13 +6,16 @@ import troupe.scene.Avatar;
 
 /**
  * Tells where an avatar is at any time: its script or recording as straight lines between knots; one that is
- * steered stands where it was put last. Metres and seconds. Used by one thread at a time.
+ * steered goes to where it was sent last, and stands there. Metres and seconds. Used by one thread at a time.
  */
 public final class Course {
     private final double[] times;
     private final double[] xs;
     private final double[] ys;
     private final boolean recorded;
+    private boolean steered;
+    private double toX;
+    private double toY;
 
     private Course(int knots, boolean recorded) {
         this.times = new double[knots];
@@ -32,6 +35,9 @@ public final class Course {
         Avatar.Pointer pointer = (Avatar.Pointer) avatar.motion();
         Course course = new Course(1, false);
         course.set(0, 0, pointer.start().x(), pointer.start().y());
+        course.steered = true;
+        course.toX = course.xs[0];
+        course.toY = course.ys[0];
         return course;
     }
 
@@ -83,15 +89,32 @@ public final class Course {
         ys[k] = y;
     }
 
-    /** Puts the avatar to a place, where it stays. */
-    void put(double x, double y) {
-        Arrays.fill(xs, x);
-        Arrays.fill(ys, y);
-    }
-
     /** Returns the time in seconds of the last turn; from then on the avatar stands, or is gone. */
     public double end() {
         return times[times.length - 1];
+    }
+
+    /** Sends a steered avatar to another x. */
+    void sendToX(double x) {
+        toX = x;
+    }
+
+    /** Sends a steered avatar to another y. */
+    void sendToY(double y) {
+        toY = y;
+    }
+
+    /** Lets a steered avatar go on for some seconds, straight to where it was sent; others do so by themselves. */
+    void goOn(double seconds) {
+        if (!steered) {
+            return;
+        }
+        double dx = toX - xs[0];
+        double dy = toY - ys[0];
+        double way = Math.sqrt(dx * dx + dy * dy);
+        double share = Math.min(1, Avatar.STEERED_PACE * seconds / Math.max(way, 1e-9));
+        xs[0] += share * dx;
+        ys[0] += share * dy;
     }
 
     /** Tells whether the avatar is there at a time. */

@@ -142,6 +142,7 @@ public final class EncounterEngine implements Simulation {
     private void simulate() {
         double now = steps / encounter.number(Quantity.RATE);
         inputs.take(steps, this::steer);
+        courses.forEach(course -> course.goOn(1 / encounter.number(Quantity.RATE)));
         for (int a = 0; a < courses.size(); a++) {
             thinking.see(a, now, courses.get(a).x(now), courses.get(a).y(now));
         }
@@ -168,9 +169,9 @@ public final class EncounterEngine implements Simulation {
             String key = PREFIX + encounter.avatars().get(a).id();
             Course course = courses.get(a);
             if (input.key().equals(key + ".x")) {
-                course.put(input.value(), course.y(0));
+                course.sendToX(input.value());
             } else if (input.key().equals(key + ".y")) {
-                course.put(course.x(0), input.value());
+                course.sendToY(input.value());
             }
         }
     }

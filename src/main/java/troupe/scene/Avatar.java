@@ -29,6 +29,9 @@ public record Avatar(
     /** The pace of a scripted avatar that names none, in m/s. */
     public static final double DEFAULT_PACE = 1.2;
 
+    /** The most at which an avatar follows the person who steers it, in m/s: a run. */
+    public static final double STEERED_PACE = 3;
+
     /** What the planner may know of an avatar. */
     public enum Kind {
         /** Only its past is known. */
@@ -40,7 +43,10 @@ public record Avatar(
     /** Where the motion of an avatar comes from. */
     public sealed interface Motion {}
 
-    /** A person who steers it while the encounter runs; until then it stands at {@code start}. */
+    /**
+     * A person who steers it while the encounter runs; until then it stands at {@code start}. It follows at
+     * {@link #STEERED_PACE} at most: nobody can give way to who comes out of nowhere.
+     */
     public record Pointer(Place start) implements Motion {}
 
     /** A script: it walks straight at {@code pace} m/s from {@code start} to one goal after the other, and then stands. */

@@ -166,6 +166,32 @@ class EncounterEngineTest implements EngineContract {
         assertEquals(Digest.of(run.frames()), Digest.of(again.finish().frames()));
     }
 
+    /** Sends it at a run onto the actor's way, a metre and more before him. */
+    @Test
+    void nobodyIsTouchedWhereAPersonRunsInTheWay() throws Exception {
+        Scene scene = SceneXml.read(Path.of("scenes/risk/steering.xml")).scene();
+        for (int tenth = 2; tenth < 40; tenth += 8) {
+            for (double ahead = 1.2; ahead <= 4; ahead += 0.7) {
+                double x = 1 + Actor.walker("ann", 0.25, 0.1).walk().speed() * tenth / 10 + ahead;
+                EncounterEngine engine = engine(scene);
+                engine.give(new Run.Input(3L * tenth, "avatar.guy.x", x));
+                engine.give(new Run.Input(3L * tenth, "avatar.guy.y", 4));
+                assertNothingIsTouched(engine.finish());
+            }
+        }
+    }
+
+    @Test
+    void aSteeredAvatarFollowsAtARunAndNoFaster() {
+        EncounterEngine engine = engine(scene(List.of(), POINTER));
+        engine.give(new Run.Input(0, "avatar.me.x", 1));
+        Run run = engine.finish();
+        int x = run.frames().channel("me", "x");
+        assertEquals(4 - Avatar.STEERED_PACE / 10, run.frames().value(0, x, 0), 1e-12);
+        assertEquals(4 - 3 * Avatar.STEERED_PACE / 10, run.frames().value(2, x, 0), 1e-12);
+        assertEquals(1, run.frames().value(12, x, 0), 1e-12);
+    }
+
     @Test
     void refusesInputThatFitsNoControl() {
         EncounterEngine engine = engine(scene(List.of(), POINTER));
