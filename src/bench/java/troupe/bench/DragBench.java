@@ -102,7 +102,7 @@ public class DragBench {
         return plan;
     }
 
-    private static final SceneFiles NO_FILES = new SceneFiles() {
+    static final SceneFiles NO_FILES = new SceneFiles() {
         @Override
         public Scene read(Path file) throws SceneException {
             throw new UnsupportedOperationException("the benchmark reads no file");
@@ -115,7 +115,7 @@ public class DragBench {
     };
 
     /** The steps of the studio. */
-    private record Steps(boolean views, Groundworks kept) implements PlanningSteps {
+    record Steps(boolean views, Groundworks kept) implements PlanningSteps {
         @Override
         public List<Problem> check(Scene checked) {
             return SceneChecks.check(checked);

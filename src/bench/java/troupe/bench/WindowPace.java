@@ -12,6 +12,7 @@ import java.awt.image.BufferedImage;
 import java.io.File;
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -24,11 +25,12 @@ import javax.swing.AbstractButton;
 import javax.swing.JComponent;
 import javax.swing.RepaintManager;
 import troupe.app.Studio;
+import troupe.scene.SceneXml;
 
 /**
- * Measures the window while a simulation is played in it: {@code WindowPace SCENE SECONDS [drag X0 Y0 X1 Y1]}. Opens
- * the studio with the scene, plays for so many seconds, and, if asked, holds the mouse on the canvas meanwhile, going
- * to and fro between two pixels. Prints how often the canvas was painted in a second, and how long the events of the
+ * Measures the window while a simulation is played in it: {@code WindowPace SCENE SECONDS [drag|move X0 Y0 X1 Y1]}.
+ * Opens the studio with the scene, or with a town of so many agents where the scene is a number, plays for so many
+ * seconds, and, if asked, moves the mouse over the canvas meanwhile, held down or not, to and fro between two pixels. Prints how often the canvas was painted in a second, and how long the events of the
  * event thread took, on the clock and in the thread's own time. With a fifth word more, {@code shot FILE}, it writes
  * the window as a picture at the end.
  */
@@ -49,7 +51,7 @@ public final class WindowPace {
     }
 
     private void measure(List<String> words) throws Exception {
-        Studio.open(Optional.of(Path.of(words.get(0))));
+        Studio.open(Optional.of(scene(words.get(0))));
         int seconds = Integer.parseInt(words.get(1));
         EventQueue.invokeAndWait(() -> {
             Toolkit.getDefaultToolkit().getSystemEventQueue().push(new Timed());
@@ -65,9 +67,9 @@ public final class WindowPace {
             painted = 0;
         });
         long begin = System.nanoTime();
-        int at = words.indexOf("drag");
+        int at = Math.max(words.indexOf("drag"), words.indexOf("move"));
         if (at > 0) {
-            drag(canvas, words.subList(at + 1, at + 5), seconds);
+            move(canvas, words.get(at).equals("drag"), words.subList(at + 1, at + 5), seconds);
         } else {
             rest(seconds);
         }
@@ -83,23 +85,38 @@ public final class WindowPace {
         LockSupport.parkNanos(TimeUnit.SECONDS.toNanos(seconds));
     }
 
-    /** Presses at one pixel of the canvas and moves to the other and back, a round in four seconds. */
-    private static void drag(Component canvas, List<String> ends, int seconds) throws Exception {
+    private static Path scene(String word) throws Exception {
+        if (!word.matches("\\d+")) {
+            return Path.of(word);
+        }
+        Path file = Files.createTempFile("crowd", ".xml");
+        file.toFile().deleteOnExit();
+        SceneXml.write(CrowdBench.scene(Integer.parseInt(word), 0.5, true), file);
+        return file;
+    }
+
+    /** Goes from one pixel of the canvas to the other and back, a round in four seconds. */
+    private static void move(Component canvas, boolean held, List<String> ends, int seconds) throws Exception {
         int[] p = ends.stream().mapToInt(Integer::parseInt).toArray();
-        mouse(canvas, MouseEvent.MOUSE_PRESSED, p[0], p[1]);
+        int moved = held ? MouseEvent.MOUSE_DRAGGED : MouseEvent.MOUSE_MOVED;
+        if (held) {
+            mouse(canvas, MouseEvent.MOUSE_PRESSED, p[0], p[1]);
+        }
         int moves = seconds * 1000 / MOVE_MS;
         for (int k = 0; k < moves; k++) {
             double share = (1 - Math.cos(k * MOVE_MS / 4000.0 * 2 * Math.PI)) / 2;
-            mouse(canvas, MouseEvent.MOUSE_DRAGGED, (int) (p[0] + share * (p[2] - p[0])), (int)
-                    (p[1] + share * (p[3] - p[1])));
+            mouse(canvas, moved, (int) (p[0] + share * (p[2] - p[0])), (int) (p[1] + share * (p[3] - p[1])));
             LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(MOVE_MS));
         }
-        mouse(canvas, MouseEvent.MOUSE_RELEASED, p[0], p[1]);
+        if (held) {
+            mouse(canvas, MouseEvent.MOUSE_RELEASED, p[0], p[1]);
+        }
     }
 
     private static void mouse(Component canvas, int id, int x, int y) {
-        int held = id == MouseEvent.MOUSE_RELEASED ? 0 : InputEvent.BUTTON1_DOWN_MASK;
-        int button = id == MouseEvent.MOUSE_DRAGGED ? MouseEvent.NOBUTTON : MouseEvent.BUTTON1;
+        boolean moves = id == MouseEvent.MOUSE_MOVED;
+        int held = moves || id == MouseEvent.MOUSE_RELEASED ? 0 : InputEvent.BUTTON1_DOWN_MASK;
+        int button = moves || id == MouseEvent.MOUSE_DRAGGED ? MouseEvent.NOBUTTON : MouseEvent.BUTTON1;
         MouseEvent event = new MouseEvent(canvas, id, System.currentTimeMillis(), held, x, y, 1, false, button);
         Toolkit.getDefaultToolkit().getSystemEventQueue().postEvent(event);
     }
