@@ -28,6 +28,10 @@ final class Thinking {
     private static final int PASSES = 6;
     /** An evading actor looks so many directions round. */
     private static final int DIRECTIONS = 16;
+    /** An evading actor looks so many steps of the forecast ahead. */
+    private static final int INSTANTS = 4;
+    /** What a metre of overlap counts to one that evades, in risk. */
+    private static final double TOUCH = 1e3;
 
     private final Encounter encounter;
     private final Ground ground;
@@ -39,6 +43,7 @@ final class Thinking {
     private final TimeSearch search;
     private final Updating updating;
     private final TimedPath path = new TimedPath();
+    private final double[] near;
     private final double step;
     private final boolean still;
     private boolean planned;
@@ -51,7 +56,7 @@ final class Thinking {
         this.encounter = encounter;
         this.ground = ground;
         this.courses = courses;
-        double[] near = new double[courses.size()];
+        near = new double[courses.size()];
         for (int a = 0; a < near.length; a++) {
             histories.add(new History(Forecast.capacity(encounter)));
             near[a] = radius
@@ -141,7 +146,7 @@ final class Thinking {
         return Action.EVADED;
     }
 
-    /** Steps to the free place of least risk round about, the one that is least in the way if none is free. */
+    /** Steps to the place round about from where the next instants are least dangerous, as if it went on so. */
     private void evade(double now) {
         double bestX = x;
         double bestY = y;
@@ -149,34 +154,52 @@ final class Thinking {
         double least = Double.POSITIVE_INFINITY;
         for (int d = -1; d < DIRECTIONS; d++) {
             double angle = 2 * Math.PI * d / DIRECTIONS;
-            double length = d < 0 ? 0 : ground.speed() * step;
-            double toX = x + length * StrictMath.cos(angle);
-            double toY = y + length * StrictMath.sin(angle);
-            int to = ground.follow(x, y, q, toX, toY);
-            if (to >= 0) {
-                double ahead = Math.max(step, 0.25);
-                double danger = forecast.risk(toX, toY, (toX - x) / step, (toY - y) / step, forecast.step(ahead));
-                danger += hazards.hits(toX, toY, step) ? 1e6 - nearest(toX, toY, now) : 0;
-                if (danger < least) {
-                    least = danger;
-                    bestX = toX;
-                    bestY = toY;
-                    bestQ = to;
-                }
+            double speed = d < 0 ? 0 : ground.speed();
+            double vx = speed * StrictMath.cos(angle);
+            double vy = speed * StrictMath.sin(angle);
+            int to = ground.follow(x, y, q, x + vx * step, y + vy * step);
+            double danger = to < 0 ? Double.POSITIVE_INFINITY : danger(now, vx, vy);
+            if (danger < least) {
+                least = danger;
+                bestX = x + vx * step;
+                bestY = y + vy * step;
+                bestQ = to;
             }
         }
         path.add(bestX, bestY, now + step, bestQ);
     }
 
-    private double nearest(double toX, double toY, double now) {
-        double least = 1e3;
-        for (Course course : courses) {
-            double dx = toX - course.x(now);
-            double dy = toY - course.y(now);
-            double away = Math.sqrt(dx * dx + dy * dy);
-            least = away < least ? away : least;
+    /** Returns the risk of going on with a velocity for some instants, until a wall; who would touch it outweighs all. */
+    private double danger(double now, double vx, double vy) {
+        double sum = 0;
+        double atX = x;
+        double atY = y;
+        boolean goes = true;
+        for (int k = 1; k <= INSTANTS; k++) {
+            double ahead = k * Forecast.STEP;
+            goes = goes && ground.follow(x, y, q, x + vx * ahead, y + vy * ahead) >= 0;
+            atX = goes ? x + vx * ahead : atX;
+            atY = goes ? y + vy * ahead : atY;
+            sum += forecast.risk(atX, atY, goes ? vx : 0, goes ? vy : 0, forecast.step(ahead));
+            sum += TOUCH * overlap(now, atX, atY, ahead);
         }
-        return least;
+        return sum;
+    }
+
+    /** Returns by how many metres avatars would be too near at a place, where they are expected then. */
+    private double overlap(double now, double atX, double atY, double ahead) {
+        double sum = 0;
+        for (int a = 0; a < near.length; a++) {
+            Course course = courses.get(a);
+            boolean certain = encounter.avatars().get(a).kind() == Avatar.Kind.CERTAIN;
+            double time = certain && !still ? now + ahead : now;
+            boolean expected = !certain && !still && forecast.has(a);
+            double dx = atX - (expected ? forecast.expectedX(a, ahead) : course.x(time));
+            double dy = atY - (expected ? forecast.expectedY(a, ahead) : course.y(time));
+            double less = near[a] - Math.sqrt(dx * dx + dy * dy);
+            sum += less > 0 ? less : 0;
+        }
+        return sum;
     }
 
     /** Returns the plan: where the actor will be, from now on. */

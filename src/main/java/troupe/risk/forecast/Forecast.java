@@ -84,16 +84,12 @@ public final class Forecast {
 
     /** Forecasts every uncertain avatar from its past; one of which nothing has been seen is left out. */
     public void compute(List<History> pasts) {
-        double[] here = new double[1];
-        double[] there = new double[1];
         for (int a = 0; a < avatars.size(); a++) {
             Avatar avatar = avatars.get(a);
-            seen[a] = avatar.kind() == Avatar.Kind.UNCERTAIN
-                    && expectation.of(pasts.get(a), avatar.speed())
-                    && pasts.get(a).resample(STEP, here, there) == 1;
+            seen[a] = avatar.kind() == Avatar.Kind.UNCERTAIN && expectation.of(pasts.get(a), avatar.speed());
             if (seen[a]) {
-                x[a] = here[0];
-                y[a] = there[0];
+                x[a] = pasts.get(a).x();
+                y[a] = pasts.get(a).y();
                 vx[a] = expectation.vx();
                 vy[a] = expectation.vy();
                 spreadOut(a);

@@ -43,6 +43,16 @@ public final class History {
         count = Math.min(count + 1, times.length);
     }
 
+    /** Returns the x in metres of the newest position; meaningless before anything has been seen. */
+    double x() {
+        return xs[last(0)];
+    }
+
+    /** Returns the y in metres of the newest position; meaningless before anything has been seen. */
+    double y() {
+        return ys[last(0)];
+    }
+
     private int last(int back) {
         return Math.floorMod(next - 1 - back, times.length);
     }

@@ -1,5 +1,7 @@
 package troupe.risk.plan;
 
+import java.util.Arrays;
+
 /**
  * Holds the discs that the actor must not touch: avatars whose path is certain, stamped into place and time up to
  * the horizon, and uncertain ones where they stand at the present instant. Positions are in metres, times in
@@ -33,7 +35,7 @@ public final class Hazards {
 
     /** Takes every hazard away. */
     public void clear() {
-        java.util.Arrays.fill(stamps, 0);
+        Arrays.fill(stamps, 0);
     }
 
     /** Returns the most stamps of a path. */
@@ -46,14 +48,6 @@ public final class Hazards {
         xs[hazard * most + k] = x;
         ys[hazard * most + k] = y;
         stamps[hazard] = k + 1;
-    }
-
-    /** Sets where a hazard stands at present, for {@code seconds}. */
-    public void stand(int hazard, double x, double y, double seconds) {
-        int count = (int) Math.min(most, Math.ceil(seconds / STAMP - 1e-9) + 1);
-        for (int k = 0; k < count; k++) {
-            stamp(hazard, k, x, y);
-        }
     }
 
     /** Tells whether the actor touches a hazard at a place and time. Cost O(hazards). */
