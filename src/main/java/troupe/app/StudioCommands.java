@@ -9,7 +9,6 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.function.Consumer;
 import javax.swing.Action;
-import javax.swing.JOptionPane;
 import troupe.app.canvas.Canvas;
 import troupe.app.command.Command;
 import troupe.app.command.Commands;
@@ -61,9 +60,7 @@ final class StudioCommands implements AutoCloseable {
         new ArrangeCommands(session, look).add(commands);
         addPlan();
         addRun();
-        commands.add("help", "tour", window.pages()::tour);
-        commands.separate();
-        commands.add("help", "about", this::about);
+        new HelpCommands(window, look).add(commands);
         take(commands.get("select"));
     }
 
@@ -227,11 +224,6 @@ final class StudioCommands implements AutoCloseable {
             at = speeds[i] <= session.playback().speed() ? i : at;
         }
         session.playback().setSpeed(speeds[Math.max(0, Math.min(speeds.length - 1, at + by))]);
-    }
-
-    private void about() {
-        JOptionPane.showMessageDialog(
-                window.frame(), look.text("about.text"), look.text("about.title"), JOptionPane.PLAIN_MESSAGE);
     }
 
     @Override
