@@ -2,7 +2,6 @@ package troupe.paint;
 
 import java.awt.Color;
 import java.awt.Graphics2D;
-import java.awt.geom.AffineTransform;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
@@ -188,24 +187,12 @@ final class EncounterPainter {
         double r = radius(track, view);
         double x = view.px(track.x(frame));
         double y = view.py(track.y(frame));
-        Ellipse2D disc = new Ellipse2D.Double(x - r, y - r, 2 * r, 2 * r);
-        g.setColor(colour);
-        g.fill(disc);
+        Disc disc = new Disc(x, y, r, track.headingRad(frame));
         if (edged) {
-            g.setColor(theme.color(Tone.PANEL));
-            g.setStroke(Theme.line(2));
-            g.draw(disc);
+            disc.paint(g, colour, theme.color(Tone.PANEL));
+        } else {
+            disc.paint(g, colour);
         }
-        Path2D arrow = new Path2D.Double();
-        arrow.moveTo(0.1, -0.45);
-        arrow.lineTo(0.8, 0);
-        arrow.lineTo(0.1, 0.45);
-        arrow.closePath();
-        AffineTransform place = AffineTransform.getTranslateInstance(x, y);
-        place.rotate(-track.headingRad(frame));
-        place.scale(r, r);
-        g.setColor(Color.WHITE);
-        g.fill(place.createTransformedShape(arrow));
     }
 
     /** Takes the room of the ends and of those who are there at a time in seconds (NaN: at no time). */

@@ -4,9 +4,6 @@ import java.awt.AlphaComposite;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Graphics2D;
-import java.awt.geom.AffineTransform;
-import java.awt.geom.Ellipse2D;
-import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.List;
@@ -267,7 +264,8 @@ public final class RunPainter {
                 Point hold = Hands.hold(held.get(), x, y);
                 Hands.paint(g, view, new Point(x, y), radius(track, view), hold, colour, theme.color(Tone.PANEL));
             }
-            paintActor(g, view.px(x), view.py(y), radius(track, view), track.headingRad(frame), colour);
+            new Disc(view.px(x), view.py(y), radius(track, view), track.headingRad(frame))
+                    .paint(g, colour, theme.color(Tone.PANEL));
             g.setComposite(AlphaComposite.SrcOver);
         }
         g.dispose();
@@ -285,24 +283,5 @@ public final class RunPainter {
                 .findFirst()
                 .flatMap(leg -> moved.obstacle(leg.what(), frame))
                 .map(Obstacle::outline);
-    }
-
-    private void paintActor(Graphics2D g, double x, double y, double radius, double headingRad, Color colour) {
-        Ellipse2D disc = new Ellipse2D.Double(x - radius, y - radius, 2 * radius, 2 * radius);
-        g.setColor(colour);
-        g.fill(disc);
-        g.setColor(theme.color(Tone.PANEL));
-        g.setStroke(Theme.line(2));
-        g.draw(disc);
-        Path2D arrow = new Path2D.Double();
-        arrow.moveTo(0.1, -0.45);
-        arrow.lineTo(0.8, 0);
-        arrow.lineTo(0.1, 0.45);
-        arrow.closePath();
-        AffineTransform place = AffineTransform.getTranslateInstance(x, y);
-        place.rotate(-headingRad);
-        place.scale(radius, radius);
-        g.setColor(Color.WHITE);
-        g.fill(place.createTransformedShape(arrow));
     }
 }

@@ -152,4 +152,21 @@ public record Actor(
                 vault.filter(a -> !lost.contains(Ability.VAULT)),
                 move.filter(a -> !lost.contains(Ability.MOVE)));
     }
+
+    @Override
+    public Actor named(String otherId, String otherLabel) {
+        return new Actor(
+                otherId,
+                otherLabel,
+                colour,
+                bodyHeight,
+                footRadius,
+                stepHeight,
+                maxBorder,
+                walk,
+                sidestep,
+                stride,
+                vault,
+                move);
+    }
 }

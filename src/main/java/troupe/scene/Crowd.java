@@ -150,4 +150,9 @@ public record Crowd(
     public Crowd seeded(long changed) {
         return new Crowd(id, label, manner, weights, relations, groups, seconds, changed);
     }
+
+    @Override
+    public Crowd named(String otherId, String otherLabel) {
+        return new Crowd(otherId, otherLabel, manner, weights, relations, groups, seconds, seed);
+    }
 }

@@ -9,4 +9,9 @@ public record Ditch(String id, String label, Polygon outline, double depth) impl
     public Ditch withOutline(Polygon changed) {
         return new Ditch(id, label, changed, depth);
     }
+
+    @Override
+    public Ditch named(String otherId, String otherLabel) {
+        return new Ditch(otherId, otherLabel, outline, depth);
+    }
 }

@@ -9,6 +9,9 @@ public sealed interface Element permits Obstacle, Ditch, Actor, Task {
     /** Returns the name to show, empty for none. */
     String label();
 
+    /** Returns the same with another id and label. */
+    Element named(String otherId, String otherLabel);
+
     /** Returns the label, or the id where there is none. */
     default String name() {
         return label().isEmpty() ? id() : label();

@@ -247,4 +247,16 @@ public record Encounter(
         return new Encounter(
                 id, label, actor, start, goal, avatars, method, ordering, influence, growth, numbers, changed);
     }
+
+    @Override
+    public Encounter named(String otherId, String otherLabel) {
+        return new Encounter(
+                otherId, otherLabel, actor, start, goal, avatars, method, ordering, influence, growth, numbers, seed);
+    }
+
+    /** Returns the same encounter of another actor. */
+    public Encounter withActor(String other) {
+        return new Encounter(
+                id, label, other, start, goal, avatars, method, ordering, influence, growth, numbers, seed);
+    }
 }

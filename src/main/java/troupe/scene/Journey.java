@@ -208,4 +208,40 @@ public record Journey(
                 expansions,
                 changed);
     }
+
+    @Override
+    public Journey named(String otherId, String otherLabel) {
+        return new Journey(
+                otherId,
+                otherLabel,
+                actor,
+                start,
+                goal,
+                preferences,
+                ordering,
+                spread,
+                manipulation,
+                headings,
+                slice,
+                expansions,
+                seed);
+    }
+
+    /** Returns the same journey of another actor. */
+    public Journey withActor(String other) {
+        return new Journey(
+                id,
+                label,
+                other,
+                start,
+                goal,
+                preferences,
+                ordering,
+                spread,
+                manipulation,
+                headings,
+                slice,
+                expansions,
+                seed);
+    }
 }

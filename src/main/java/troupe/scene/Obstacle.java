@@ -29,4 +29,9 @@ public record Obstacle(
     public Obstacle withOutline(Polygon changed) {
         return new Obstacle(id, label, changed, offset, height, movable, mass, colour);
     }
+
+    @Override
+    public Obstacle named(String otherId, String otherLabel) {
+        return new Obstacle(otherId, otherLabel, outline, offset, height, movable, mass, colour);
+    }
 }

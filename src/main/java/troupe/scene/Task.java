@@ -6,6 +6,9 @@ public sealed interface Task extends Element permits Journey, Encounter, Crowd {
     /** Returns the seed from which every random stream of the task is derived. */
     long seed();
 
+    @Override
+    Task named(String otherId, String otherLabel);
+
     /** Returns the word for this kind in files: {@code journey}, {@code encounter}, … */
     String kind();
 }

@@ -50,13 +50,13 @@ public final class NewElements {
     /** Makes an actor with all abilities. */
     public static Actor actor(Scene scene, Texts texts) {
         String id = freeId(scene, "actor");
-        return (Actor) Labels.labelled(Actor.standard(id), label(texts, "new.actor", id));
+        return Actor.standard(id).named(id, label(texts, "new.actor", id));
     }
 
     /** Makes a journey of an actor. */
     public static Journey journey(Scene scene, Actor actor, Place start, Place goal, Texts texts) {
         String id = freeId(scene, "journey");
-        return (Journey) Labels.labelled(Journey.of(id, actor.id(), start, goal), label(texts, "new.journey", id));
+        return Journey.of(id, actor.id(), start, goal).named(id, label(texts, "new.journey", id));
     }
 
     /** Returns the scene with one more element, the last of its kind. */

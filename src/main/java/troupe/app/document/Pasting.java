@@ -9,6 +9,7 @@ import java.util.Set;
 import troupe.geometry.Polygon;
 import troupe.scene.Ditch;
 import troupe.scene.Element;
+import troupe.scene.Encounter;
 import troupe.scene.Journey;
 import troupe.scene.Obstacle;
 import troupe.scene.Scene;
@@ -41,7 +42,7 @@ public final class Pasting {
         return all.stream().filter(e -> ids.contains(e.id())).toList();
     }
 
-    /** Puts all elements of one scene into another; tasks of kinds that cannot be renamed only under a free id. */
+    /** Puts all elements of one scene into another, those whose id is taken there under a free one. */
     public static Pasted into(Scene scene, Scene pasted) {
         List<Element> elements = pasted.elements().toList();
         double aside = aside(scene, pasted);
@@ -50,9 +51,6 @@ public final class Pasting {
         Map<String, String> renamed = new LinkedHashMap<>();
         for (Element element : elements) {
             boolean taken = changed.element(element.id()).isPresent();
-            if (taken && !Labels.canLabel(element)) {
-                continue;
-            }
             Element free = taken ? renamed(changed, element) : element;
             renamed.put(element.id(), free.id());
             changed = NewElements.with(changed, acted(shifted(free, aside), renamed));
@@ -96,24 +94,25 @@ public final class Pasting {
         String id = NewElements.freeId(scene, stem);
         String label = element.label();
         if (label.isEmpty()) {
-            return Labels.named(element, id, "");
+            return element.named(id, "");
         }
         String plain = label.replaceAll(" \\d+$", "");
         int number = 2;
         while (isLabel(scene, plain + " " + number)) {
             number++;
         }
-        return Labels.named(element, id, plain + " " + number);
+        return element.named(id, plain + " " + number);
     }
 
     private static boolean isLabel(Scene scene, String label) {
         return scene.elements().anyMatch(e -> e.label().equals(label));
     }
 
-    /** Lets a journey that was pasted together with its actor be that actor's under its new id. */
+    /** Lets a task that was pasted together with its actor be that actor's under its new id. */
     private static Element acted(Element element, Map<String, String> renamed) {
-        return element instanceof Journey j && renamed.containsKey(j.actor())
-                ? Labels.acted(j, renamed.get(j.actor()))
-                : element;
+        if (element instanceof Journey j) {
+            return j.withActor(renamed.getOrDefault(j.actor(), j.actor()));
+        }
+        return element instanceof Encounter e ? e.withActor(renamed.getOrDefault(e.actor(), e.actor())) : element;
     }
 }

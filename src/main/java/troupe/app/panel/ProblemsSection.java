@@ -10,11 +10,10 @@ import java.util.List;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import javax.swing.BorderFactory;
-import javax.swing.JTextArea;
-import javax.swing.text.DefaultCaret;
 import troupe.app.document.SceneEdits;
 import troupe.app.look.FlatButton;
 import troupe.app.look.Look;
+import troupe.app.look.Prose;
 import troupe.app.look.Texts;
 import troupe.app.problem.Diagnosis;
 import troupe.app.problem.Finding;
@@ -152,24 +151,13 @@ public final class ProblemsSection extends Panel {
     }
 
     /** A text on a soft card with a coloured edge, broken into lines; a click, or Enter, goes there. */
-    private final class Remark extends JTextArea {
+    private final class Remark extends Prose {
         private Remark(String text, Color edge, Runnable go) {
-            super(text);
+            super(look(), text);
             setName("problem");
-            DefaultCaret still = new DefaultCaret();
-            still.setUpdatePolicy(DefaultCaret.NEVER_UPDATE);
-            setCaret(still);
-            setLineWrap(true);
-            setWrapStyleWord(true);
-            setEditable(false);
-            setFont(look().font());
-            setForeground(look().color(Tone.TEXT));
-            setBackground(look().color(Tone.SOFT));
             setCursor(Cursor.getPredefinedCursor(Cursor.HAND_CURSOR));
             setBorder(BorderFactory.createCompoundBorder(
                     BorderFactory.createMatteBorder(0, 3, 0, 0, edge), BorderFactory.createEmptyBorder(6, 9, 6, 9)));
-            setColumns(18);
-            setSize(240, 10);
             addMouseListener(new MouseAdapter() {
                 @Override
                 public void mouseClicked(MouseEvent event) {

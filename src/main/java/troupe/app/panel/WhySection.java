@@ -11,9 +11,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import javax.swing.text.DefaultCaret;
 import troupe.app.look.Drawn;
 import troupe.app.look.Look;
+import troupe.app.look.Prose;
 import troupe.app.look.Texts;
 import troupe.app.plan.Plan;
 import troupe.app.play.Figures;
@@ -195,24 +195,12 @@ final class WhySection extends Panel {
     }
 
     /** A text on a soft card, broken into lines. */
-    private final class Note extends javax.swing.JTextArea {
+    private final class Note extends Prose {
         private Note(String text) {
-            super(text);
+            super(look(), text);
             setName("why.note");
             getAccessibleContext().setAccessibleName(look().text("inspector.why"));
-            // a caret that follows the text would scroll the panel down to the note whenever it changes
-            DefaultCaret still = new DefaultCaret();
-            still.setUpdatePolicy(DefaultCaret.NEVER_UPDATE);
-            setCaret(still);
-            setLineWrap(true);
-            setWrapStyleWord(true);
-            setEditable(false);
-            setFont(look().font());
-            setForeground(look().color(Tone.TEXT));
-            setBackground(look().color(Tone.SOFT));
             setBorder(javax.swing.BorderFactory.createEmptyBorder(8, 10, 8, 10));
-            setColumns(18);
-            setSize(look().px(240), 10);
         }
     }
 }

@@ -3,7 +3,6 @@ package troupe.app.problem;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import troupe.app.document.Labels;
 import troupe.app.document.NewElements;
 import troupe.app.document.Outlines;
 import troupe.app.document.SceneEdits;
@@ -46,7 +45,7 @@ final class Fixes {
         Optional<Actor> actor = scene.actor(journey.actor());
         if (actor.isEmpty()) {
             for (Actor other : scene.actors()) {
-                fixes.add(new Fix("fix.actor", other.name(), scene.with(Labels.acted(journey, other.id()))));
+                fixes.add(new Fix("fix.actor", other.name(), scene.with(journey.withActor(other.id()))));
             }
             if (fixes.isEmpty() && !journey.actor().isEmpty()) {
                 fixes.add(new Fix(

@@ -3,7 +3,6 @@ package troupe.app.property;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import troupe.app.document.Labels;
 import troupe.scene.Actor;
 import troupe.scene.Element;
 import troupe.scene.Scene;
@@ -47,8 +46,7 @@ public final class Properties {
         return Property.typed(
                 "label",
                 "",
-                (scene, id) -> scene.element(id).filter(Labels::canLabel).map(Element::label),
-                (scene, id, text) ->
-                        scene.with(Labels.labelled(scene.element(id).orElseThrow(), text.strip())));
+                (scene, id) -> scene.element(id).map(Element::label),
+                (scene, id, text) -> scene.with(scene.element(id).orElseThrow().named(id, text.strip())));
     }
 }

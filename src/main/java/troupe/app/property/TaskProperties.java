@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import troupe.app.document.Labels;
 import troupe.app.document.SceneEdits;
 import troupe.scene.Journey;
 import troupe.scene.Place;
@@ -114,6 +113,6 @@ final class TaskProperties {
                 "",
                 ids,
                 (now, id) -> journey(now, id).map(Journey::actor),
-                (now, id, text) -> now.with(Labels.acted(journey(now, id).orElseThrow(), text)));
+                (now, id, text) -> now.with(journey(now, id).orElseThrow().withActor(text)));
     }
 }

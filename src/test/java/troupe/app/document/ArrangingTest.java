@@ -84,7 +84,7 @@ class ArrangingTest {
         assertEquals("ann-1", ((Journey) pasted.scene().task("there-1").orElseThrow()).actor());
         Pasting.Pasted again = Pasting.into(pasted.scene(), part);
         assertEquals(Polygon.rectangle(5, 2, 6, 3), outline(again.scene(), "crate-2"));
-        Scene named = scene.with(Labels.labelled(scene.obstacle("crate").orElseThrow(), "Crate"));
+        Scene named = scene.with(scene.obstacle("crate").orElseThrow().named("crate", "Crate"));
         Pasting.Pasted second = Pasting.into(named, Pasting.extract(named, List.of("crate")));
         assertEquals("Crate 2", second.scene().obstacle("crate-1").orElseThrow().label());
     }
