@@ -76,10 +76,10 @@ final class CostToGo implements Expander {
     private long exactKey;
 
     /**
-     * Makes a search towards a configuration that has settled nothing yet.
+     * Makes a search towards a configuration that has settled nothing yet, and is asked for nothing.
      *
      * @param memory the memory of the region; an earlier search that used it is void
-     * @param towards where the cost to go is asked for first
+     * @param towards near where the cost to go will be asked for first
      * @param ends where ways end, and what each end costs besides
      */
     CostToGo(FieldMemory memory, JourneyCosts costs, int towards, Ends ends) {
@@ -106,7 +106,7 @@ final class CostToGo implements Expander {
         straight = costs.cheapestStraight();
         bend = costs.cheapestDiagonal() - straight;
         search = new BestFirst(open, this, NOTHING_LEFT, Long.MAX_VALUE);
-        want(towards, UNREACHABLE);
+        wanted = towards;
         for (int i = 0; i < ends.places().length; i++) {
             reach(ends.places()[i], ends.costs()[i]);
         }

@@ -235,20 +235,20 @@ public final class JourneySearch implements Expander {
             put(label, key);
             return Verdict.SKIPPED;
         }
+        SearchSpace space = keys.space(label);
+        int from = labels.state(label);
+        if (enclosures.isPresent() && !keys.isManipulation(label)) {
+            Enclosure enclosure = enclosures.get().of(space, from);
+            if (!enclosure.isOpen() && enclosure.toExit().isEmpty()) {
+                return leadOut(enclosures.get(), enclosure, label, key);
+            }
+        }
         if (!keys.isFinal(label)) {
             return await(
                     keys.ask(label, open.isEmpty() ? CostToGo.UNREACHABLE : 1 + costs.cheapestStraight()), label, key);
         }
         if (keys.isManipulation(label)) {
             return expandManipulation(label, key);
-        }
-        SearchSpace space = keys.space(label);
-        int from = labels.state(label);
-        if (enclosures.isPresent()) {
-            Enclosure enclosure = enclosures.get().of(space, from);
-            if (!enclosure.isOpen() && enclosure.toExit().isEmpty()) {
-                return leadOut(enclosures.get(), enclosure, label, key);
-            }
         }
         if (from == query.goal()) {
             reached = label;

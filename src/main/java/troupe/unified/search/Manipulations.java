@@ -147,7 +147,7 @@ final class Manipulations {
         for (int m = 0; m < moving.movables().size(); m++) {
             TriggerTable table = tables.inside(space, m, enclosure);
             if (table != null) {
-                wanted = IntStream.concat(wanted, Arrays.stream(table.undecided()));
+                wanted = IntStream.concat(wanted, Arrays.stream(table.undecided(enclosure::holds)));
             }
         }
         return wanted.toArray();

@@ -1,6 +1,7 @@
 package troupe.unified.search;
 
 import java.util.Arrays;
+import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 import troupe.geometry.Point;
 import troupe.grid.GridFrame;
@@ -87,11 +88,22 @@ final class TriggerTable {
         return attempts[leader];
     }
 
-    /** Returns the points whose leader is not known, and the leaders whose attempt has not been made yet. */
-    int[] undecided() {
-        return IntStream.range(0, points.length)
-                .filter(i -> leaders[i] == UNKNOWN || leaders[i] == i && attempts[i] == UNKNOWN)
-                .map(i -> points[i])
+    /**
+     * Returns the points that must be known before it can be told which attempts begin at some of them: all points
+     * where one of these has no leader yet, else their leaders whose attempt has not been made.
+     */
+    int[] undecided(IntPredicate asked) {
+        int[] here = IntStream.range(0, points.length)
+                .filter(i -> asked.test(points[i]))
+                .toArray();
+        if (Arrays.stream(here).anyMatch(i -> leaders[i] == UNKNOWN)) {
+            return points;
+        }
+        return Arrays.stream(here)
+                .map(i -> leaders[i])
+                .filter(leader -> leader >= 0 && attempts[leader] == UNKNOWN)
+                .distinct()
+                .map(leader -> points[leader])
                 .toArray();
     }
 

@@ -36,6 +36,7 @@ class CostToGoTest {
             JourneyWorkspace work = new JourneyWorkspace(region);
             CostToGo toGo = new CostToGo(new FieldMemory(region, false), costs, start, CostToGo.Ends.at(goal));
             SlowJourney reference = new SlowJourney(region, preferences, true);
+            toGo.want(start, CostToGo.UNREACHABLE);
             while (!toGo.hasAnswered()) {
                 toGo.advance(25);
                 checked += check(region, costs, toGo, reference, goal, seed);
@@ -79,6 +80,7 @@ class CostToGoTest {
         JourneyCosts costs = new JourneyCosts(actor, Preferences.NEUTRAL, 0.25);
         JourneyWorkspace work = new JourneyWorkspace(region);
         CostToGo toGo = new CostToGo(new FieldMemory(region, false), costs, start, CostToGo.Ends.at(goal));
+        toGo.want(start, CostToGo.UNREACHABLE);
         assertFalse(toGo.hasAnswered());
         toGo.advance(Long.MAX_VALUE);
         assertTrue(toGo.hasAnswered());

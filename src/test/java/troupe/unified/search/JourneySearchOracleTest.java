@@ -39,6 +39,7 @@ class JourneySearchOracleTest {
         /** Returns the bound on the cost to go as a search for the start knows it. */
         CostToGo bound() {
             CostToGo toGo = new CostToGo(new FieldMemory(region, false), costs(), start, CostToGo.Ends.at(goal));
+            toGo.want(start, CostToGo.UNREACHABLE);
             toGo.advance(Long.MAX_VALUE);
             return toGo;
         }
