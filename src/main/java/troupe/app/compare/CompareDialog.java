@@ -26,6 +26,7 @@ import troupe.run.Report;
 /** Shows the reports of the run that is shown and the one that is kept side by side, with what differs marked. */
 final class CompareDialog {
     private final Look look;
+    private final ReportWords words;
     private final Session session;
     private final JDialog dialog;
     private final JLabel names;
@@ -37,6 +38,7 @@ final class CompareDialog {
         this.session = session;
         this.dialog = new JDialog(over, look.text("compare.title"), false);
         this.names = look.label(" ", Tone.DIM);
+        words = new ReportWords(look.texts());
         dialog.setName("compare");
         JTable table = new JTable(model);
         table.setName("compare.table");
@@ -131,7 +133,8 @@ final class CompareDialog {
         @Override
         public Object getValueAt(int row, int column) {
             ReportTable.Row at = rows.get(row);
-            return List.of(at.name(), at.shown(), at.kept(), at.change()).get(column);
+            return List.of(words.name(at.name()), words.value(at.shown()), words.value(at.kept()), at.change())
+                    .get(column);
         }
     }
 
@@ -147,7 +150,7 @@ final class CompareDialog {
             setForeground(look.color(differs || column != 0 ? Tone.TEXT : Tone.DIM));
             setBackground(differs ? look.selected() : look.color(Tone.PANEL));
             setBorder(BorderFactory.createEmptyBorder(0, 8, 0, 8));
-            setToolTipText(String.valueOf(value));
+            setToolTipText(column == 0 ? model.rows.get(row).name() : String.valueOf(value));
             return this;
         }
     }

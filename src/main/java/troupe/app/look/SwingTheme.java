@@ -21,6 +21,8 @@ import troupe.paint.Tone;
 
 /** Dresses the JDK's own components (menus, dialogs, file choosers) in the colours of a theme. */
 public final class SwingTheme extends DefaultMetalTheme {
+    private static final String CHOOSER = "filechooser.";
+
     private final Look look;
 
     private SwingTheme(Look look) {
@@ -87,6 +89,13 @@ public final class SwingTheme extends DefaultMetalTheme {
         defaults.put("Button.margin", new InsetsUIResource(look.px(4), look.px(14), look.px(4), look.px(14)));
         defaults.put("Separator.foreground", resource(look.color(Tone.LINE)));
         defaults.put("Separator.background", resource(panel));
+        words(defaults);
+    }
+
+    /** Gives the JDK's own dialogs the words of the language. */
+    private void words(UIDefaults defaults) {
+        look.texts().under(CHOOSER).forEach((key, word) -> defaults.put("FileChooser." + key, word));
+        defaults.put("OptionPane.okButtonText", look.text("ok"));
     }
 
     private static ColorUIResource resource(Color color) {

@@ -181,8 +181,9 @@ record OutlineRow(
         for (Problem problem : problems) {
             Tone tone = problem.severity() == Severity.ERROR ? Tone.MOVE : Tone.VAULT;
             List<String> ids = problem.element().isEmpty() ? List.of() : List.of(problem.element());
-            String hint = problem.describe();
-            String name = ids.isEmpty() ? problem.message() : problem.element() + ": " + problem.message();
+            String hint = PlanWords.problem(problem, look.texts());
+            String message = look.texts().tell(problem.message());
+            String name = ids.isEmpty() ? message : problem.element() + ": " + message;
             rows.add(new OutlineRow(Kind.PROBLEM, ids, name, "", look.color(tone), true, 0, hint));
         }
     }

@@ -9,6 +9,7 @@ import troupe.app.play.Figures;
 import troupe.run.Run;
 import troupe.scene.Ability;
 import troupe.scene.Journey;
+import troupe.scene.Problem;
 import troupe.scene.Severity;
 import troupe.search.Outcome;
 import troupe.work.Explanation;
@@ -21,7 +22,7 @@ final class PlanWords {
     /** Returns a sentence for an outcome. */
     static String outcome(Outcome outcome, Texts texts) {
         if (outcome instanceof Outcome.Infeasible infeasible) {
-            String reason = infeasible.reason();
+            String reason = texts.tell(infeasible.reason());
             return reason.isEmpty()
                     ? texts.get("outcome.infeasible")
                     : texts.format(
@@ -41,14 +42,21 @@ final class PlanWords {
     /** Returns how many errors there are, and the first with its element and its cure. */
     static String firstError(Plan plan, Texts texts) {
         return texts.format(
-                "problem.first", errors(plan), plan.problems().get(0).describe());
+                "problem.first", errors(plan), problem(plan.problems().get(0), texts));
     }
 
     /** Returns every error with its element and its cure, an empty line between them. */
-    static String allErrors(Plan plan) {
+    static String allErrors(Plan plan, Texts texts) {
         StringJoiner lines = new StringJoiner("\n\n");
-        plan.problems().stream().filter(p -> p.severity() == Severity.ERROR).forEach(p -> lines.add(p.describe()));
+        plan.problems().stream().filter(p -> p.severity() == Severity.ERROR).forEach(p -> lines.add(problem(p, texts)));
         return lines.toString();
+    }
+
+    /** Returns what is wrong, with the element and the cure, in one line. */
+    static String problem(Problem problem, Texts texts) {
+        String message = texts.tell(problem.message());
+        String told = problem.element().isEmpty() ? message : texts.format("problem.of", problem.element(), message);
+        return problem.cure().isEmpty() ? told : texts.format("problem.cure", told, texts.tell(problem.cure()));
     }
 
     /** Returns what a run moves, in order, as a sentence; empty if nothing. */

@@ -72,10 +72,10 @@ public final class ProblemsSection extends Panel {
         Problem problem = finding.problem();
         Scene scene = session().document().shown();
         String name = problem.element().isEmpty() ? "" : SceneEdits.name(scene, problem.element()) + ": ";
-        String cure = problem.cure().isEmpty() ? "" : "\n" + problem.cure();
+        String cure = problem.cure().isEmpty() ? "" : "\n" + look().texts().tell(problem.cure());
         boolean error = problem.severity() == Severity.ERROR;
         String key = error ? "problems.error" : "problems.warning";
-        String text = look().text(key) + " \u2013 " + name + problem.message() + cure;
+        String text = look().text(key) + " \u2013 " + name + look().texts().tell(problem.message()) + cure;
         rows.wide(
                 new Remark(text, look().color(error ? Tone.MOVE : Tone.VAULT), () -> goTo(List.of(problem.element()))),
                 4);

@@ -29,6 +29,8 @@ import troupe.scene.Scene;
  * nothing is. A field keeps the focus while its thing changes.
  */
 final class PropertiesSection extends Panel {
+    private static final String RELATION = "relation.";
+
     private final transient Map<String, Shown> fields = new LinkedHashMap<>();
     private transient List<?> structure = List.of();
     private transient Scene shown;
@@ -102,7 +104,7 @@ final class PropertiesSection extends Panel {
         }
         for (Group group : groups) {
             if (!group.key().isEmpty()) {
-                rows.subheading(look().text("group." + group.key()));
+                rows.subheading(groupWord(group.key()));
             }
             build(rows, group.properties(), ids);
         }
@@ -139,10 +141,31 @@ final class PropertiesSection extends Panel {
         }
     }
 
-    /** Returns the word for a property; a setting without one of its own is called as in files. */
+    private String groupWord(String key) {
+        return key.startsWith(RELATION)
+                ? look().texts().format("control.depth", key.substring(RELATION.length()))
+                : look().text("group." + key);
+    }
+
+    /** Returns the word for a property; weights are called as the sliders that change them while a crowd runs. */
     private String word(String key) {
-        String plain = key.startsWith("setting.") ? key.substring("setting.".length()) : key;
-        return look().texts().get("property." + key, plain);
+        String plain = key.substring(key.lastIndexOf('.') + 1);
+        return look().texts().get("property." + key, look().texts().get("control." + plain, plain));
+    }
+
+    /** Returns the word for one of the values that there are to choose from. */
+    private String valueWord(Property property, String value) {
+        String key = property.key().replace("setting.", "value.") + ".";
+        int open = value.indexOf('(');
+        if (open > 0 && value.endsWith(")")) {
+            String words = look().texts().get(key + value.substring(0, open), "");
+            return words.isEmpty() || value.indexOf(',') > 0
+                    ? value
+                    : look().texts()
+                            .format(key + value.substring(0, open), value.substring(open + 1, value.length() - 1));
+        }
+        return look().texts()
+                .get(key + value, SceneEdits.name(session().document().shown(), value));
     }
 
     /** Makes the field of a property of elements, those that are selected now even if it is left later. */
@@ -158,7 +181,8 @@ final class PropertiesSection extends Panel {
     private Entry entry(Property property, List<String> ids) {
         Entry entry = new Entry(look(), property.unit());
         entry.onText(
-                text -> property.wrong(session().document().scene(), ids, text), text -> commit(property, ids, text));
+                text -> property.wrong(session().document().scene(), ids, text).map(look().texts()::tell),
+                text -> commit(property, ids, text));
         fields.put(property.key(), value -> {
             entry.setAbsent(absent(property, ids));
             entry.showText(value);
@@ -186,13 +210,13 @@ final class PropertiesSection extends Panel {
         String[] present = {""};
         fields.put(property.key(), value -> {
             present[0] = value;
-            button.setText(SceneEdits.name(session().document().shown(), value));
+            button.setText(valueWord(property, value));
         });
         button.addActionListener(e -> {
             button.setSelected(false);
             JPopupMenu menu = new JPopupMenu();
             for (String offered : property.choices()) {
-                String name = SceneEdits.name(session().document().shown(), offered);
+                String name = valueWord(property, offered);
                 JRadioButtonMenuItem item = new JRadioButtonMenuItem(name, offered.equals(present[0]));
                 item.setName("choice." + offered);
                 item.addActionListener(chosen -> commit(property, ids, offered));

@@ -181,7 +181,7 @@ public final class StatusBar extends Panel {
 
     private void show(Notice notice) {
         state = notice.wrong() ? Tone.MOVE : Tone.SKELETON;
-        happened(notice.text(), "");
+        happened(look().texts().tell(notice.text()), "");
     }
 
     private void show(Plan plan) {

@@ -11,6 +11,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Collectors;
 import troupe.app.look.Drawn;
 import troupe.app.look.Look;
 import troupe.app.look.Prose;
@@ -60,7 +61,7 @@ final class WhySection extends Panel {
         boolean wrong = unplanned.isPresent() && PlanWords.errors(unplanned.get()) > 0;
         rows.heading(look().text(wrong ? "inspector.wrong" : found ? "inspector.why" : "inspector.why.not"));
         if (wrong) {
-            rows.wide(new Note(PlanWords.allErrors(unplanned.get())), 0);
+            rows.wide(new Note(PlanWords.allErrors(unplanned.get(), look().texts())), 0);
         } else if (run.isEmpty()) {
             rows.wide(look().label(look().text(unplanned.isPresent() ? "status.notask" : "why.nothing"), Tone.DIM), 0);
         } else if (!found) {
@@ -169,7 +170,12 @@ final class WhySection extends Panel {
             this.lines = lines;
             setName("why.table");
             setPreferredSize(new Dimension(100, ROW * lines.size()));
-            getAccessibleContext().setAccessibleName(lines.toString());
+            getAccessibleContext()
+                    .setAccessibleName(lines.stream()
+                            .map(l -> look().texts()
+                                    .format("why.row", l.what(), l.energy(), l.length())
+                                    .strip())
+                            .collect(Collectors.joining(", ")));
         }
 
         @Override

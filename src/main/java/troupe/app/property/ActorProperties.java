@@ -37,8 +37,8 @@ final class ActorProperties {
             case "turnEnergy" -> "J/rad kg";
             case "takeOff" -> "J";
             case "speed" -> "m/s";
-            case "sigma", "trade" -> "m";
-            case "horizon", "duration" -> "s";
+            case "sigma", "trade", "view" -> "m";
+            case "horizon", "duration", "seconds" -> "s";
             case "rate" -> "1/s";
             default -> isOfActor(key) ? "m" : "";
         };

@@ -28,7 +28,7 @@ public final class Properties {
         if (first.get() instanceof Actor actor) {
             offered.addAll(ActorProperties.of(scene, actor));
         } else if (first.get() instanceof Task task) {
-            offered.add(new Group("", TaskProperties.of(scene, task)));
+            offered.addAll(TaskProperties.groups(scene, task));
         } else {
             offered.add(new Group("", ShapeProperties.all()));
         }

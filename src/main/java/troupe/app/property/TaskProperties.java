@@ -1,10 +1,18 @@
 package troupe.app.property;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import troupe.app.document.SceneEdits;
+import troupe.scene.Crowd;
+import troupe.scene.Encounter;
 import troupe.scene.Journey;
 import troupe.scene.Place;
 import troupe.scene.Scene;
@@ -16,7 +24,39 @@ import troupe.scene.Task;
  * settings of any other kind as files know them.
  */
 final class TaskProperties {
+    private static final Map<String, List<String>> CHOICES = Map.of(
+            "ordering", List.of("optimal", "paper"),
+            "spread", words(Journey.Spread.values()),
+            "method", words(Encounter.Method.values()),
+            "influence", words(Encounter.Influence.values()),
+            "growth", words(Encounter.Growth.values()),
+            "motion", words(Crowd.Motion.values()),
+            "split", words(Crowd.Split.values()));
+
+    /** Some bounds for the ordering of journeys; others stand in files. */
+    private static final List<String> BOUNDS = List.of("bounded(1.5)", "bounded(2)", "bounded(3)");
+
+    private static final Pattern RELATION = Pattern.compile("(relation\\.\\d+)\\..*");
+
     private TaskProperties() {}
+
+    private static List<String> words(Enum<?>[] values) {
+        return Stream.of(values).map(v -> v.name().toLowerCase(Locale.ROOT)).toList();
+    }
+
+    /** Returns the groups: the task itself, its weights, and its relations, one group for each depth. */
+    static List<Group> groups(Scene scene, Task task) {
+        Map<String, List<Property>> groups = new LinkedHashMap<>();
+        for (Property property : of(scene, task)) {
+            String key = property.key().replaceFirst("^setting\\.", "");
+            Matcher relation = RELATION.matcher(key);
+            String group = relation.matches() ? relation.group(1) : key.startsWith("weight.") ? "weight" : "";
+            groups.computeIfAbsent(group, k -> new ArrayList<>()).add(property);
+        }
+        return groups.entrySet().stream()
+                .map(e -> new Group(e.getKey(), e.getValue()))
+                .toList();
+    }
 
     static List<Property> of(Scene scene, Task task) {
         List<Property> all = new ArrayList<>();
@@ -37,17 +77,32 @@ final class TaskProperties {
                             && List.of("start", "goal", "manipulation", "headings")
                                     .contains(key);
             if (!elsewhere) {
-                all.add(setting(key));
+                all.add(setting(key, choices(scene, task, key)));
             }
         }
         return all;
     }
 
+    /** Returns what there is to choose from for a setting; none where anything may be typed. */
+    private static List<String> choices(Scene scene, Task task, String key) {
+        List<String> all = new ArrayList<>(CHOICES.getOrDefault(key, List.of()));
+        if (key.equals("ordering") && task instanceof Journey) {
+            all.addAll(BOUNDS);
+        }
+        String present = Settings.values(scene, task.id()).get(key);
+        if (!all.isEmpty() && !all.contains(present)) {
+            all.add(present);
+        }
+        return all;
+    }
+
     /** Makes the property of a setting of tasks. */
-    static Property setting(String key) {
-        return Property.typed(
+    private static Property setting(String key, List<String> choices) {
+        return new Property(
+                "setting." + key,
                 "setting." + key,
                 ActorProperties.unit(key),
+                choices,
                 (scene, id) ->
                         scene.task(id).map(t -> Settings.values(scene, id).get(key)),
                 (scene, id, text) -> Settings.apply(scene, id, key, text.strip().replace('\u2212', '-')));

@@ -8,11 +8,15 @@ import java.io.IOException;
 import java.io.InputStreamReader;
 import java.io.Reader;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.text.MessageFormat;
+import java.util.List;
 import java.util.Locale;
 import java.util.Properties;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
 class TextsTest {
@@ -50,6 +54,19 @@ class TextsTest {
             assertEquals(here, there, key);
             assertFalse(english.getProperty(key).isBlank(), key);
             assertFalse(chinese.getProperty(key).isBlank(), key);
+        }
+    }
+
+    @Test
+    void everyExampleHasATitle() throws IOException {
+        Properties english = load("messages.properties");
+        try (Stream<Path> scenes = Files.walk(Path.of("scenes"))) {
+            List<String> keys = scenes.filter(f -> f.toString().endsWith(".xml"))
+                    .map(f -> "example." + f.getParent().getFileName() + "."
+                            + f.getFileName().toString().replace(".xml", ""))
+                    .filter(key -> !english.containsKey(key))
+                    .toList();
+            assertEquals(List.of(), keys);
         }
     }
 

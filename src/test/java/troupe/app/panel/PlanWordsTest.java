@@ -88,17 +88,21 @@ class PlanWordsTest {
                 "Not planned, errors: 2. First: 'crate' is twisted; untwist it",
                 PlanWords.firstError(plan, new Texts(Locale.ENGLISH)));
         assertEquals(
-                "未規劃，共 2 個錯誤，首項：'crate' is twisted; untwist it",
+                "未規劃，共 2 個錯誤，首項：「crate」is twisted；untwist it",
                 PlanWords.firstError(plan, new Texts(Locale.TRADITIONAL_CHINESE)));
-        assertEquals("'crate' is twisted; untwist it\n\n'ann' is there twice; rename one", PlanWords.allErrors(plan));
+        assertEquals(
+                "'crate' is twisted; untwist it\n\n'ann' is there twice; rename one",
+                PlanWords.allErrors(plan, new Texts(Locale.ENGLISH)));
     }
 
     @Test
     void aReasonFollowsALeadInThePersonsLanguage() {
         Outcome outcome = new Outcome.Infeasible("the goal is in 'Wall'");
         assertEquals("The goal is in 'Wall'", PlanWords.outcome(outcome, new Texts(Locale.ENGLISH)));
-        assertEquals(
-                "無路可走，規劃器的說明：The goal is in 'Wall'", PlanWords.outcome(outcome, new Texts(Locale.TRADITIONAL_CHINESE)));
+        Texts chinese = new Texts(Locale.TRADITIONAL_CHINESE);
+        assertEquals("無路可走。The goal is in 'Wall'", PlanWords.outcome(outcome, chinese));
+        Outcome known = new Outcome.Infeasible("no path: the start (1.00, 2.00) lies in 'Wall'");
+        assertEquals("無路可走。起點 (1.00, 2.00)位於「Wall」之內", PlanWords.outcome(known, chinese));
     }
 
     @Test
