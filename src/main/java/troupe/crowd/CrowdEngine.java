@@ -66,6 +66,11 @@ public final class CrowdEngine implements Simulation {
         if (budget < 1) {
             throw new IllegalArgumentException("budget=" + budget + "; needs at least 1");
         }
+        sweep.whole(() -> advance(budget));
+        return outcome;
+    }
+
+    private void advance(long budget) {
         for (long k = 0; k < budget && outcome.isRunning(); k++) {
             long begin = System.nanoTime();
             if (steps == 0) {
@@ -73,7 +78,9 @@ public final class CrowdEngine implements Simulation {
                 report.prepared(System.nanoTime() - begin);
             } else {
                 takeInputs();
-                splitting.renew(steps);
+                if (splitting.renew(steps)) {
+                    flock.renewed();
+                }
                 flock.step(steps);
                 report.moved(System.nanoTime() - begin);
             }
@@ -83,7 +90,6 @@ public final class CrowdEngine implements Simulation {
                 end();
             }
         }
-        return outcome;
     }
 
     private void prepare() {

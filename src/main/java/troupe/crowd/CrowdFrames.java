@@ -47,7 +47,7 @@ final class CrowdFrames {
                 values[at + m] = agents.x[i];
                 values[at + count + m] = agents.y[i];
                 values[at + 2 * count + m] = agents.z[i];
-                values[at + 3 * count + m] = StrictMath.atan2(agents.headingY[i], agents.headingX[i]);
+                values[at + 3 * count + m] = Bearing.of(agents.headingX[i], agents.headingY[i]);
                 values[at + 4 * count + m] = agents.state[i];
             }
             at += 5 * count;

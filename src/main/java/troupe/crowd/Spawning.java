@@ -95,10 +95,12 @@ final class Spawning {
         agents.radius[agent] = members.radius();
         agents.topSpeed[agent] = members.speed();
         agents.way[agent] = way;
-        long towards = way.towards(q);
-        boolean there = towards == 0;
-        agents.headingX[agent] = there ? 1 : Way.x(towards);
-        agents.headingY[agent] = there ? 0 : Way.y(towards);
+        int towards = way.towards(q);
+        double dx = terrain.region().x(towards) - terrain.region().x(q);
+        double dy = terrain.region().y(towards) - terrain.region().y(q);
+        double length = Math.sqrt(dx * dx + dy * dy);
+        agents.headingX[agent] = length == 0 ? 1 : dx / length;
+        agents.headingY[agent] = length == 0 ? 0 : dy / length;
         int cell = row(y) * cols + col(x);
         nextIn[agent] = firstIn[cell];
         firstIn[cell] = agent;

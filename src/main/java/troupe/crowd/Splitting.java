@@ -58,14 +58,17 @@ final class Splitting {
         return made;
     }
 
-    /** Renews the potentials whose turn it is in a step. */
-    void renew(long step) {
+    /** Renews the potentials whose turn it is in a step; tells whether there were any. */
+    boolean renew(long step) {
         int n = branches.size();
+        boolean any = false;
         for (int k = 0; k < n; k++) {
             if (step % PERIOD == (long) k * PERIOD / n) {
                 Branch branch = branches.get(k);
                 branch.way().set(branch.detours().find(branch.way().goal(), crowding.measure(branch.but())));
+                any = true;
             }
         }
+        return any;
     }
 }

@@ -26,6 +26,23 @@ public final class Agents {
     public final double[] topSpeed;
     public final int[] leaf;
     public final Way[] way;
+    /** What the span says on which an agent stands: whether it is roomy there, what is left to go, and where to. */
+    final boolean[] roomy;
+
+    final float[] left;
+    /** The place that an agent goes for, and how many more spans it keeps to it. */
+    final double[] targetX;
+
+    final double[] targetY;
+    final int[] keeps;
+
+    /** The direction of each agent's path, a unit vector or 0. */
+    final double[] pathX;
+
+    final double[] pathY;
+    /** The rank of each agent's goal: the higher has the right of way. */
+    final long[] rank;
+
     /** The distance from the goal in metres of potential within which an agent may settle. */
     public final double[] near;
 
@@ -55,6 +72,14 @@ public final class Agents {
         topSpeed = new double[count];
         leaf = new int[count];
         way = new Way[count];
+        roomy = new boolean[count];
+        left = new float[count];
+        targetX = new double[count];
+        targetY = new double[count];
+        keeps = new int[count];
+        pathX = new double[count];
+        pathY = new double[count];
+        rank = new long[count];
         near = new double[count];
         state = new byte[count];
         still = new int[count];

@@ -18,6 +18,7 @@ final class Cells {
     final int cols;
     final int rows;
     private final double edge;
+    private final double perEdge;
     private final int[] starts;
     private final int[] cellOf;
     /** The agent at each place. */
@@ -33,10 +34,19 @@ final class Cells {
     final double[] topSpeed;
     final int[] leaf;
     final byte[] state;
+    /** The velocity that others expect, and the one that they expect of who comes against them. */
+    final double[] goingX;
+
+    final double[] goingY;
+    final double[] comingX;
+    final double[] comingY;
     /** The direction of each agent's path, a unit vector or 0. */
     final double[] pathX;
 
     final double[] pathY;
+    final int[] span;
+    final boolean[] roomy;
+    final int[] still;
     /** The goal of each agent, and its rank: the higher has the right of way. */
     final long[] rank;
 
@@ -52,6 +62,7 @@ final class Cells {
             side *= 2;
         }
         edge = side;
+        perEdge = 1 / side;
         cols = (int) (width / side) + 1;
         rows = (int) (depth / side) + 1;
         starts = new int[cols * rows + 1];
@@ -67,6 +78,13 @@ final class Cells {
         topSpeed = new double[count];
         leaf = new int[count];
         state = new byte[count];
+        goingX = new double[count];
+        goingY = new double[count];
+        comingX = new double[count];
+        comingY = new double[count];
+        span = new int[count];
+        roomy = new boolean[count];
+        still = new int[count];
         pathX = new double[count];
         pathY = new double[count];
         rank = new long[count];
@@ -105,14 +123,40 @@ final class Cells {
         leaf[place] = agents.leaf[i];
         state[place] = agents.state[i];
         yielding[place] = agents.yielding[i];
+        span[place] = agents.span[i];
+        roomy[place] = agents.roomy[i];
+        still[place] = agents.still[i];
+        boolean goes = agents.state[i] != Agents.ARRIVED;
+        pathX[place] = goes ? agents.pathX[i] : 0;
+        pathY[place] = goes ? agents.pathY[i] : 0;
+        goingX[place] = headingX[place] * speed[place];
+        goingY[place] = headingY[place] * speed[place];
+        // who comes against one is expected to come on, even if it stands at the moment
+        double pace = Math.max(speed[place], 0.5 * topSpeed[place]);
+        comingX[place] = pathX[place] * pace;
+        comingY[place] = pathY[place] * pace;
+        left[place] = agents.left[i];
+        rank[place] = agents.rank[i];
     }
 
     int col(double atX) {
-        return Math.max(0, Math.min(cols - 1, (int) (atX / edge)));
+        return Math.max(0, Math.min(cols - 1, (int) (atX * perEdge)));
     }
 
     int row(double atY) {
-        return Math.max(0, Math.min(rows - 1, (int) (atY / edge)));
+        return Math.max(0, Math.min(rows - 1, (int) (atY * perEdge)));
+    }
+
+    /**
+     * Returns at least how far to both sides in metres a disc reaches within a row of cells: with r its radius and d
+     * the distance of the row, {@code sqrt(r^2 - d^2) <= r - d^2 / 2 r}.
+     *
+     * @param radius of the disc in metres
+     * @param y of its centre in metres
+     */
+    double halfWidth(double radius, double y, int row) {
+        double apart = Math.max(0, Math.max(row * edge - y, y - (row + 1) * edge) - 1e-9);
+        return radius - apart * apart / (2 * radius);
     }
 
     /** Returns the first place of a run of cells. */

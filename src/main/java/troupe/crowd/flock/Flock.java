@@ -1,6 +1,9 @@
 package troupe.crowd.flock;
 
 import java.util.concurrent.atomic.LongAdder;
+import troupe.crowd.ground.Terrain;
+import troupe.crowd.ground.Way;
+import troupe.grid.GridFrame;
 import troupe.scene.Crowd;
 
 /**
@@ -8,6 +11,9 @@ import troupe.scene.Crowd;
  * writes the new state. Every step reads the old state only. Cost O(agents and the neighbours they see).
  */
 public final class Flock {
+    /** The share of its distance for which an agent keeps to a place that it goes for, before it looks again. */
+    private static final double KEPT = 0.2;
+
     private final Agents agents;
     private final Sweep sweep;
     private final Cells cells;
@@ -15,6 +21,7 @@ public final class Flock {
     private final Steering steering;
     private final Settling settling;
     private final long seed;
+    private final double cell;
     private final boolean paper;
     private final LongAdder visits = new LongAdder();
     private Pull pull;
@@ -30,12 +37,63 @@ public final class Flock {
         this.agents = agents;
         this.sweep = sweep;
         this.seed = crowd.seed();
+        this.cell =
+                agents.count == 0 ? 1 : agents.way[0].terrain().region().frame().cell();
         this.paper = crowd.manner().motion() == Crowd.Motion.PAPER;
         this.cells = new Cells(agents.count, width, depth, crowd.manner().view());
         this.proposals = new Proposals(agents.count);
         this.steering = new Steering(crowd, kin, cells, proposals, agents);
         this.settling = new Settling(cells, proposals, agents, crowd.manner().bodyHeight(), paper);
         this.pull = new Pull(crowd);
+        for (int i = 0; i < agents.count; i++) {
+            agents.rank[i] = RightOfWay.rank(seed, agents.way[i].goal());
+            tread(i);
+            aim(i);
+        }
+    }
+
+    /** Tells that potentials have been set anew: everybody looks where to go now. */
+    public void renewed() {
+        for (int i = 0; i < agents.count; i++) {
+            agents.keeps[i] = 0;
+            tread(i);
+            aim(i);
+        }
+    }
+
+    /** Reads what the span says that an agent has come to stand on; now and then it looks where to go from there. */
+    private void tread(int i) {
+        Way way = agents.way[i];
+        Terrain terrain = way.terrain();
+        int span = agents.span[i];
+        agents.roomy[i] = terrain.roomy(span);
+        agents.left[i] = way.potential(span);
+        if (paper) {
+            int d = way.next(span);
+            double length = d < 4 ? 1 : Math.sqrt(0.5);
+            agents.pathX[i] = d < 0 ? 0 : GridFrame.dx(d) * length;
+            agents.pathY[i] = d < 0 ? 0 : GridFrame.dy(d) * length;
+        } else if (!agents.roomy[i] || --agents.keeps[i] < 0) {
+            int target = way.towards(span);
+            agents.targetX[i] = terrain.region().x(target);
+            agents.targetY[i] = terrain.region().y(target);
+            double dx = agents.targetX[i] - terrain.region().x(span);
+            double dy = agents.targetY[i] - terrain.region().y(span);
+            agents.keeps[i] = (int) (KEPT * Math.sqrt(dx * dx + dy * dy) / cell);
+        }
+    }
+
+    /** Turns the path of an agent to the place that it goes for. */
+    private void aim(int i) {
+        if (paper) {
+            return;
+        }
+        double dx = agents.targetX[i] - agents.x[i];
+        double dy = agents.targetY[i] - agents.y[i];
+        double squared = dx * dx + dy * dy;
+        double scale = squared < 1e-8 ? 0 : 1 / Math.sqrt(squared);
+        agents.pathX[i] = scale * dx;
+        agents.pathY[i] = scale * dy;
     }
 
     /** Takes the weights and relation vectors of a crowd from the next step on. */
@@ -57,10 +115,9 @@ public final class Flock {
     public void step(long step) {
         cells.sort(agents);
         steering.prepare(pull, step);
-        sweep.over(agents.count, steering::orient);
         sweep.over(agents.count, (from, to) -> visits.add(steering.run(from, to)));
         settling.settle(sweep, seed, step);
-        sweep.over(agents.count, (from, to) -> commit(from, to, (int) step));
+        sweep.lightly(agents.count, (from, to) -> commit(from, to, (int) step));
         for (int i = 0; i < agents.count; i++) {
             moves += agents.state[i] == Agents.ARRIVED ? 0 : 1;
         }
@@ -81,7 +138,11 @@ public final class Flock {
             agents.x[i] = proposals.x[k];
             agents.y[i] = proposals.y[k];
             agents.z[i] = proposals.z[k];
-            agents.span[i] = proposals.span[k];
+            if (agents.span[i] != proposals.span[k]) {
+                agents.span[i] = proposals.span[k];
+                tread(i);
+            }
+            aim(i);
             if (paper) {
                 agents.headingX[i] = proposals.headingX[k];
                 agents.headingY[i] = proposals.headingY[k];
@@ -109,7 +170,7 @@ public final class Flock {
      * that have arrived.
      */
     private boolean arrives(int k, int i) {
-        double left = agents.way[i].potential(agents.span[i]);
+        double left = agents.left[i];
         if (left <= agents.radius[i]) {
             return true;
         }
@@ -136,7 +197,7 @@ public final class Flock {
 
     /** Notes whether an agent has come nearer to its goal. */
     private void progress(int i) {
-        float left = agents.way[i].potential(agents.span[i]);
+        float left = agents.left[i];
         if (left < agents.lowest[i] - 0.05f) {
             agents.lowest[i] = left;
             agents.stalled[i] = 0;

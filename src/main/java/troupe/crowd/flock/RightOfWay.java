@@ -29,16 +29,20 @@ final class RightOfWay {
     }
 
     /** Returns for how many steps an agent gives way from now on, 0 if it does not. */
-    int yielding(int k, int still, int[] near, int count) {
+    int yielding(int k, Sight s) {
+        int still = cells.still[k];
         int left = Math.max(0, cells.yielding[k] - 1);
-        for (int m = 0; m < count; m++) {
-            int j = near[m];
+        if (still < PATIENCE && left == 0 && s.yielding <= FADING) {
+            return 0;
+        }
+        for (int m = 0; m < s.nearCount; m++) {
+            int j = s.near[m];
             if (cells.state[j] == Agents.ARRIVED) {
                 continue;
             }
-            double dx = cells.x[j] - cells.x[k];
-            double dy = cells.y[j] - cells.y[k];
-            double reach = cells.radius[k] + cells.radius[j];
+            double dx = s.nearX[m];
+            double dy = s.nearY[m];
+            double reach = s.nearReach[m];
             double squared = dx * dx + dy * dy;
             boolean ahead = dx * cells.pathX[k] + dy * cells.pathY[k] > 0;
             if (still >= PATIENCE && cells.rank[j] == cells.rank[k] && squared < (reach + 0.04) * (reach + 0.04)) {

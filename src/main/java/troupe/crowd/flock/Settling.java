@@ -49,17 +49,17 @@ final class Settling {
 
     /** Settles the proposals of a step; afterwards each proposal is where its agent goes. */
     void settle(Sweep sweep, long seed, long step) {
-        sweep.over(cells.count, (from, to) -> begin(from, to, seed, step));
+        sweep.lightly(cells.count, (from, to) -> begin(from, to, seed, step));
         for (int round = 0; round < ROUNDS; round++) {
             AtomicInteger undecided = new AtomicInteger();
             byte waiting = round < WAITING_ROUNDS ? UNDECIDED : RETRY;
-            sweep.over(cells.count, (from, to) -> judge(from, to, waiting));
-            sweep.over(cells.count, (from, to) -> undecided.addAndGet(apply(from, to, seed, step)));
+            sweep.lightly(cells.count, (from, to) -> judge(from, to, waiting));
+            sweep.lightly(cells.count, (from, to) -> undecided.addAndGet(apply(from, to, seed, step)));
             if (undecided.get() == 0) {
                 break;
             }
         }
-        sweep.over(cells.count, this::end);
+        sweep.lightly(cells.count, this::end);
     }
 
     private void begin(int from, int to, long seed, long step) {
@@ -151,11 +151,11 @@ final class Settling {
             double hy = sin * proposals.headingX[k] + cos * proposals.headingY[k];
             double x = cells.x[k] + hx * length * 0.7;
             double y = cells.y[k] + hy * length * 0.7;
-            int span = terrain.step(agents.span[agent], x, y);
+            int span = terrain.step(cells.span[k], cells.roomy[k], x, y);
             if (span >= 0) {
                 proposals.x[k] = x;
                 proposals.y[k] = y;
-                proposals.z[k] = terrain.elevation(span);
+                proposals.z[k] = span == cells.span[k] ? cells.z[k] : terrain.elevation(span);
                 proposals.span[k] = span;
                 proposals.speed[k] = length * 0.7 / Crowd.STEP_SECONDS;
                 return true;
@@ -170,7 +170,7 @@ final class Settling {
                 proposals.x[k] = cells.x[k];
                 proposals.y[k] = cells.y[k];
                 proposals.z[k] = cells.z[k];
-                proposals.span[k] = agents.span[cells.agent[k]];
+                proposals.span[k] = cells.span[k];
                 proposals.speed[k] = 0;
             }
         }

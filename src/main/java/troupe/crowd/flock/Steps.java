@@ -27,7 +27,7 @@ final class Steps {
         out.x[k] = cells.x[k];
         out.y[k] = cells.y[k];
         out.z[k] = cells.z[k];
-        out.span[k] = agents.span[cells.agent[k]];
+        out.span[k] = cells.span[k];
         out.headingX[k] = cells.headingX[k];
         out.headingY[k] = cells.headingY[k];
         out.speed[k] = 0;
@@ -37,7 +37,8 @@ final class Steps {
     /** Proposes a step; beside a wall, the nearest direction in which it is legal. */
     void move(int k, int agent, double hx, double hy, double speed, long step) {
         Terrain terrain = agents.way[agent].terrain();
-        int from = agents.span[agent];
+        int from = cells.span[k];
+        boolean roomy = cells.roomy[k];
         double length = speed * Crowd.STEP_SECONDS;
         int first = 0;
         for (int attempt = 0; attempt < TURN_COS.length; attempt++) {
@@ -47,11 +48,11 @@ final class Steps {
             double sin = TURN_SIN[attempt] * first;
             double x = cells.x[k] + (TURN_COS[attempt] * hx - sin * hy) * length;
             double y = cells.y[k] + (sin * hx + TURN_COS[attempt] * hy) * length;
-            int to = length > 0 ? terrain.step(from, x, y) : -1;
+            int to = length > 0 ? terrain.step(from, roomy, x, y) : -1;
             if (to >= 0) {
                 out.x[k] = x;
                 out.y[k] = y;
-                out.z[k] = terrain.elevation(to);
+                out.z[k] = to == from ? cells.z[k] : terrain.elevation(to);
                 out.span[k] = to;
                 out.speed[k] = speed;
                 return;

@@ -1,6 +1,7 @@
 package troupe.crowd.flock;
 
 import java.util.concurrent.ForkJoinPool;
+import java.util.concurrent.ForkJoinTask;
 import java.util.concurrent.RecursiveAction;
 
 /**
@@ -8,7 +9,10 @@ import java.util.concurrent.RecursiveAction;
  * a chunk writes must belong to its own numbers, so that the result does not depend on the threads.
  */
 public final class Sweep {
-    private static final int CHUNK = 256;
+    /** The most numbers of a chunk of heavy work, and of light work. */
+    private static final int HEAVY = 128;
+
+    private static final int LIGHT = 2048;
 
     /** Works over {@code [from, to)}. */
     @FunctionalInterface
@@ -32,15 +36,36 @@ public final class Sweep {
         return new Sweep(pool);
     }
 
+    /** Does work that sweeps many times, so that its threads are woken once. */
+    public void whole(Runnable work) {
+        if (pool == null || ForkJoinTask.getPool() == pool) {
+            work.run();
+        } else {
+            pool.invoke(ForkJoinTask.adapt(work));
+        }
+    }
+
     /** Works over {@code [0, n)} and returns when all is done. */
     public void over(int n, Range work) {
-        if (pool == null || n <= CHUNK) {
-            for (int from = 0; from < n; from += CHUNK) {
-                work.run(from, Math.min(n, from + CHUNK));
-            }
+        spread(n, HEAVY, work);
+    }
+
+    /** Works over {@code [0, n)} in large chunks, for work of a few nanoseconds for each number. */
+    void lightly(int n, Range work) {
+        spread(n, LIGHT, work);
+    }
+
+    private void spread(int n, int chunk, Range work) {
+        if (pool == null || n <= chunk) {
+            work.run(0, n);
             return;
         }
-        pool.invoke(new Part(0, n, work));
+        Part part = new Part(0, n, chunk, work);
+        if (ForkJoinTask.getPool() == pool) {
+            part.invoke();
+        } else {
+            pool.invoke(part);
+        }
     }
 
     /** A part of the numbers; halved until it is a chunk. */
@@ -48,22 +73,24 @@ public final class Sweep {
         private static final long serialVersionUID = 1;
         private final int from;
         private final int to;
+        private final int chunk;
         private final transient Range work;
 
-        Part(int from, int to, Range work) {
+        Part(int from, int to, int chunk, Range work) {
             this.from = from;
             this.to = to;
+            this.chunk = chunk;
             this.work = work;
         }
 
         @Override
         protected void compute() {
-            if (to - from <= CHUNK) {
+            if (to - from <= chunk) {
                 work.run(from, to);
                 return;
             }
-            int middle = from + ((to - from) / CHUNK + 1) / 2 * CHUNK;
-            invokeAll(new Part(from, middle, work), new Part(middle, to, work));
+            int middle = from + ((to - from) / chunk + 1) / 2 * chunk;
+            invokeAll(new Part(from, middle, chunk, work), new Part(middle, to, chunk, work));
         }
     }
 }

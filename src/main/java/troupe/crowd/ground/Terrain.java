@@ -17,6 +17,12 @@ import troupe.scene.Scene;
 public final class Terrain {
     /** Half the diagonal of a cell of edge 1, and a little for the rounding of the clearance field. */
     private static final double HALF_DIAGONAL = 0.7073;
+    /** The bit of a span whose neighbours are listed one by one. */
+    private static final int LISTED = 1 << 8;
+    /** The bit of a span anywhere over whose cell the disc keeps clear of walls. */
+    private static final int ROOMY = 1 << 9;
+    /** The bit of a span whose floor is at elevation 0. */
+    private static final int GROUND = 1 << 10;
 
     private final Region region;
     private final GridFrame frame;
@@ -27,6 +33,9 @@ public final class Terrain {
     private final int cells;
     private final int[] offsets;
     private final float[] clearance;
+    /** For each span the legal directions of a plain one as bits 0 to 7, and the bits below. */
+    private final short[] legal;
+
     private final int[] slots;
     private int[] targets;
 
@@ -41,11 +50,13 @@ public final class Terrain {
         this.offsets = frame.offsets();
         this.walls = new Walls(scene, frame, radius);
         this.clearance = new float[region.spanCount()];
+        this.legal = new short[clearance.length];
         int[] found = null;
         int special = 0;
         for (int q = 0; q < clearance.length; q++) {
             if (region.open(q)) {
                 clearance[q] = region.clearance(q);
+                legal[q] = (short) word(q);
                 if (!region.plain(q)) {
                     found = found == null ? filled(clearance.length) : found;
                     found[q] = special++;
@@ -59,6 +70,14 @@ public final class Terrain {
         if (found != null) {
             findTargets();
         }
+    }
+
+    private int word(int q) {
+        int word = region.plain(q) ? region.moves(q) : LISTED;
+        if (clearance[q] >= radius + HALF_DIAGONAL * frame.cell()) {
+            word |= ROOMY;
+        }
+        return region.elevation(q) == 0 ? word | GROUND : word;
     }
 
     private static Actor body(Crowd crowd, double radius) {
@@ -125,13 +144,19 @@ public final class Terrain {
 
     /** Returns the elevation in metres of a span's floor. */
     public double elevation(int q) {
-        return region.elevation(q);
+        return (legal[q] & GROUND) != 0 ? 0 : region.elevation(q);
+    }
+
+    /** Tells whether the disc keeps clear of walls wherever its centre is over a span's cell. */
+    public boolean roomy(int q) {
+        return (legal[q] & ROOMY) != 0;
     }
 
     /** Returns the open span that a step in a direction of {@link GridFrame} leads to, -1 if none is legal. */
     public int neighbour(int q, int d) {
-        if (slots == null || slots[q] < 0) {
-            return (region.moves(q) >> d & 1) == 0 ? -1 : q + offsets[d];
+        int word = legal[q];
+        if ((word & LISTED) == 0) {
+            return (word >> d & 1) == 0 ? -1 : q + offsets[d];
         }
         return targets[slots[q] * GridFrame.DIRECTIONS + d];
     }
@@ -149,23 +174,22 @@ public final class Terrain {
     /**
      * Returns the span over which a disc comes to stand that moves from a span to {@code (x, y)} metres in at most
      * one cell's length; -1 if the step is not legal.
+     *
+     * @param roomy whether {@code q} is {@link #roomy}, which who moves knows without looking
      */
-    public int step(int q, double x, double y) {
+    public int step(int q, boolean roomy, double x, double y) {
         int cell = q % cells;
         int row = cell / frame.cols();
         int dc = frame.colAt(x) - (cell - row * frame.cols());
         int dr = frame.rowAt(y) - row;
-        int to = q;
-        if ((dc | dr) != 0) {
-            if (dc < -1 || dc > 1 || dr < -1 || dr > 1) {
-                return -1;
-            }
-            to = neighbour(q, direction(dc, dr));
-            if (to < 0) {
-                return -1;
-            }
+        if ((dc | dr) == 0) {
+            return roomy || clear(q, x, y) ? q : -1;
         }
-        return clear(to, x, y) ? to : -1;
+        if (dc < -1 || dc > 1 || dr < -1 || dr > 1) {
+            return -1;
+        }
+        int to = neighbour(q, direction(dc, dr));
+        return to >= 0 && clear(to, x, y) ? to : -1;
     }
 
     /** Returns the direction of {@link GridFrame} of a step of -1, 0 or 1 columns and rows, not both 0. */
@@ -180,7 +204,7 @@ public final class Terrain {
     }
 
     private boolean clear(int q, double x, double y) {
-        if (clearance[q] >= radius + HALF_DIAGONAL * frame.cell()) {
+        if (roomy(q)) {
             return true;
         }
         double floor = region.elevation(q);

@@ -16,27 +16,29 @@ import troupe.scene.Journey;
  */
 public final class Way {
     private static final double AHEAD = 4;
-    private static final long UNKNOWN = Long.MIN_VALUE;
+    private static final int UNKNOWN = -1;
 
     private final Terrain terrain;
     private final int goal;
-    private final GridFrame frame;
+    /** The most steps down the chain. */
+    private final int most;
+
     private final byte[] next;
     /** The distance left in metres of NF2, by which arrivals are judged. */
     private final float[] left;
     /** What is descended: NF2, or what was set last. */
     private final float[] potential;
 
-    private final long[] towards;
+    private final int[] towards;
 
     /** Takes the potential of NF2 to a goal, an open span. Cost O(spans). */
     Way(Terrain terrain, Nf2 nf2, int goal) {
         this.terrain = terrain;
         this.goal = goal;
-        this.frame = terrain.region().frame();
+        this.most = Math.max(2, (int) (AHEAD / terrain.region().frame().cell()));
         this.next = new byte[terrain.size()];
         this.left = new float[terrain.size()];
-        this.towards = new long[terrain.size()];
+        this.towards = new int[terrain.size()];
         nf2.compute(goal, Journey.Spread.BREADTH);
         for (int q = 0; q < left.length; q++) {
             left[q] = terrain.open(q) ? (float) nf2.potential(q) : Float.POSITIVE_INFINITY;
@@ -48,7 +50,7 @@ public final class Way {
     private Way(Way other) {
         terrain = other.terrain;
         goal = other.goal;
-        frame = other.frame;
+        most = other.most;
         next = other.next.clone();
         left = other.left;
         potential = other.potential.clone();
@@ -115,11 +117,11 @@ public final class Way {
     }
 
     /**
-     * Returns the direction to go from a span as two floats, x in the upper half of the bits; both 0 at the goal and
-     * where it cannot be reached.
+     * Returns the span to go for from a span: the farthest down the chain of lowest neighbours that a straight way
+     * reaches; the span itself at the goal and where that cannot be reached.
      */
-    public long towards(int q) {
-        long known = towards[q];
+    public int towards(int q) {
+        int known = towards[q];
         if (known == UNKNOWN) {
             known = look(q);
             towards[q] = known;
@@ -127,18 +129,7 @@ public final class Way {
         return known;
     }
 
-    /** Returns the x of a direction that {@link #towards} gave. */
-    public static double x(long direction) {
-        return Float.intBitsToFloat((int) (direction >> 32));
-    }
-
-    /** Returns the y of a direction that {@link #towards} gave. */
-    public static double y(long direction) {
-        return Float.intBitsToFloat((int) direction);
-    }
-
-    private long look(int q) {
-        int most = Math.max(2, (int) (AHEAD / frame.cell()));
+    private int look(int q) {
         int end = q;
         int steps = 0;
         while (steps < most && next[end] >= 0) {
@@ -149,15 +140,7 @@ public final class Way {
             steps = steps * 3 / 4;
             end = along(q, steps);
         }
-        double dx = terrain.region().x(end) - terrain.region().x(q);
-        double dy = terrain.region().y(end) - terrain.region().y(q);
-        double length = Math.sqrt(dx * dx + dy * dy);
-        if (length == 0) {
-            return 0;
-        }
-        long high = Float.floatToRawIntBits((float) (dx / length));
-        long low = Float.floatToRawIntBits((float) (dy / length)) & 0xFFFF_FFFFL;
-        return high << 32 | low;
+        return end;
     }
 
     private int along(int q, int steps) {
