@@ -7,6 +7,7 @@ import troupe.grid.GridLimitException;
 import troupe.grid.region.Region;
 import troupe.risk.forecast.Ways;
 import troupe.risk.plan.Ground;
+import troupe.run.Ahead;
 import troupe.run.Aspect;
 import troupe.run.Frames;
 import troupe.run.Inputs;
@@ -236,7 +237,7 @@ public final class EncounterEngine implements Simulation {
 
     @Override
     public List<Aspect> aspects(List<Integer> chosen) {
-        return List.of(EncounterViews.ahead());
+        return List.of(EncounterViews.ahead(encounter));
     }
 
     @Override
@@ -244,10 +245,10 @@ public final class EncounterEngine implements Simulation {
         if (thinking == null) {
             return List.of();
         }
-        Aspect ahead = EncounterViews.ahead();
+        int choice = chosen.isEmpty() ? 0 : chosen.get(0);
+        double ahead = Ahead.seconds(encounter.number(Quantity.HORIZON), choice);
         Frames recorded = frames.frames();
-        return new EncounterViews(scene, encounter, recorded, ways)
-                .overlays(recorded.count() - 1, EncounterViews.AHEAD.get(ahead.chosen(chosen, 0)));
+        return new EncounterViews(scene, encounter, recorded, ways).overlays(recorded.count() - 1, ahead);
     }
 
     @Override

@@ -3,13 +3,13 @@ package troupe.risk;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import troupe.grid.GridFrame;
 import troupe.grid.region.Region;
 import troupe.risk.forecast.Forecast;
 import troupe.risk.forecast.History;
 import troupe.risk.forecast.ProbabilityMap;
 import troupe.risk.forecast.Ways;
+import troupe.run.Ahead;
 import troupe.run.Aspect;
 import troupe.run.Frames;
 import troupe.run.Overlay;
@@ -27,9 +27,6 @@ import troupe.scene.Scene;
  * plan before and after the update, and how likely it is over time to meet one of them on the plan (figure 3).
  */
 public final class EncounterViews {
-    /** The seconds ahead that can be chosen. */
-    public static final List<Double> AHEAD = List.of(0.0, 0.4, 0.8, 1.6, 3.2);
-
     private static final List<String> BY_TIME = List.of("probability", "risk");
 
     private final Encounter encounter;
@@ -56,15 +53,8 @@ public final class EncounterViews {
     }
 
     /** Returns the choice of how many seconds ahead to look. */
-    public static Aspect ahead() {
-        List<Aspect.Choice> choices = new ArrayList<>();
-        for (double seconds : AHEAD) {
-            choices.add(
-                    seconds == 0
-                            ? Aspect.Choice.of("now")
-                            : Aspect.Choice.of("seconds", String.format(Locale.ROOT, "%.1f", seconds)));
-        }
-        return new Aspect("time", choices, BY_TIME);
+    static Aspect ahead(Encounter encounter) {
+        return Ahead.aspect(encounter.number(Quantity.HORIZON), BY_TIME);
     }
 
     /** Returns the views at a frame, looking {@code ahead} seconds further; none if there is no such frame. */

@@ -10,6 +10,7 @@ import troupe.risk.forecast.Ways;
 import troupe.run.Frames;
 import troupe.run.Overlay;
 import troupe.run.Run;
+import troupe.run.Strip;
 import troupe.scene.Avatar;
 import troupe.scene.Crowd;
 import troupe.scene.Encounter;
@@ -90,7 +91,7 @@ public final class MomentViews {
         if (frames.count() == 0) {
             return made;
         }
-        int frame = (int) Math.max(0, Math.min(frames.count() - 1.0, Math.floor(time * frames.rate() + 1e-6)));
+        int frame = frame(frames, time);
         Task what = run.scene().task(run.task()).orElse(null);
         if (what instanceof Crowd crowd && keys.contains(DENSITY)) {
             Overlay.Scale scale = scale(crowd, DENSITY, 0).orElseThrow();
@@ -103,6 +104,22 @@ public final class MomentViews {
             made.addAll(among(run, encounter, frame, keys, aheadSeconds));
         }
         return made;
+    }
+
+    /**
+     * Returns how likely the plan of a moment meets each uncertain avatar over the seconds to come (Avatars, figure
+     * 3); none of a run of another kind than encounters, or without frames.
+     */
+    public Optional<Strip> strip(Run run, double time) {
+        Frames frames = run.frames();
+        return frames.count() > 0 && run.scene().task(run.task()).orElse(null) instanceof Encounter encounter
+                ? Optional.of(new EncounterViews(run.scene(), encounter, frames, survey(run.scene(), encounter))
+                        .strip(frame(frames, time)))
+                : Optional.empty();
+    }
+
+    private static int frame(Frames frames, double time) {
+        return (int) Math.max(0, Math.min(frames.count() - 1.0, Math.floor(time * frames.rate() + 1e-6)));
     }
 
     private List<Overlay> among(Run run, Encounter encounter, int frame, Collection<String> keys, double aheadSeconds) {

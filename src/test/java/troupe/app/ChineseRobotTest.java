@@ -17,6 +17,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import troupe.scene.Encounter;
 import troupe.scene.Scene;
 
 /** Looks for words in Latin letters in the Chinese window: none are left but names, units, keys and formats. */
@@ -52,6 +53,10 @@ class ChineseRobotTest extends RobotTest {
                         scene.ditches().stream().flatMap(d -> Stream.of(d.id(), d.label())),
                         scene.actors().stream().flatMap(a -> Stream.of(a.id(), a.label())),
                         scene.tasks().stream().flatMap(t -> Stream.of(t.id(), t.label())),
+                        scene.tasks().stream()
+                                .filter(Encounter.class::isInstance)
+                                .flatMap(t -> ((Encounter) t).avatars().stream())
+                                .flatMap(a -> Stream.of(a.id(), a.label())),
                         Stream.of(scene.title(), folder.toString()))
                 .flatMap(s -> s)
                 .forEach(name -> words(name).forEach(own::add));

@@ -114,6 +114,29 @@ class SimulationRobotTest extends RobotTest {
                         + steered.inputs());
     }
 
+    @Test
+    void theInspectorTellsWhomThePlanOfTheMomentMayMeet() throws Exception {
+        show(SceneXml.read(Path.of("scenes/risk/crossing.xml")).scene());
+        awaitEnd();
+        OnEventThread.run(() -> studio.session().playback().seek(2.8));
+        Await.until("Bob is told of", () -> OnEventThread.get(() -> said().startsWith("Bob: ")));
+        String before = OnEventThread.get(this::said);
+        OnEventThread.run(() -> studio.session().playback().seek(3.2));
+        Await.until("it follows the moment", () -> OnEventThread.get(() -> !said().equals(before)));
+        String status = OnEventThread.get(() -> ((javax.swing.JLabel) studio.find("status.happened")).getText());
+        assertTrue(status.startsWith("Arrived after "), status);
+        OnEventThread.run(() -> studio.session().playback().seek(0));
+        show(SceneXml.read(Path.of("scenes/crowd/fork.xml")).scene());
+        Await.until(
+                "crowds have none",
+                () -> OnEventThread.get(() -> !studio.find("foresight").isVisible()));
+    }
+
+    private String said() {
+        String said = studio.find("foresight.strips").getAccessibleContext().getAccessibleName();
+        return said == null ? "" : said;
+    }
+
     /** Returns how far one is in a run from one in another, in metres, for each frame that both runs have. */
     private static DoubleStream apart(Frames a, String one, Frames b, String other) {
         int ax = a.channel(one, "x");

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import troupe.run.Ahead;
 import troupe.run.Overlay;
 import troupe.run.Run;
 import troupe.run.Strip;
@@ -38,9 +39,9 @@ class EncounterViewsTest {
         for (int k = 0; k < 80; k++) {
             engine.step(1);
         }
-        for (int choice = 0; choice < EncounterViews.AHEAD.size(); choice++) {
+        for (int choice = 0; choice < Ahead.SECONDS.size(); choice++) {
             List<Overlay> live = engine.overlays(List.of(choice));
-            List<Overlay> saved = new EncounterViews(engine.run()).overlays(79, EncounterViews.AHEAD.get(choice));
+            List<Overlay> saved = new EncounterViews(engine.run()).overlays(79, Ahead.SECONDS.get(choice));
             assertEquals(
                     live.stream().map(Overlay::key).toList(),
                     saved.stream().map(Overlay::key).toList());
@@ -55,7 +56,7 @@ class EncounterViewsTest {
         Run run = EncounterEngine.of(scene, (Encounter) scene.tasks().get(0)).finish();
         EncounterViews views = new EncounterViews(run);
         double area = scene.world().cell() * scene.world().cell();
-        for (double ahead : EncounterViews.AHEAD) {
+        for (double ahead : Ahead.SECONDS) {
             double sum = 0;
             for (float density : field(views.overlays(60, ahead), "probability")) {
                 sum += Float.isNaN(density) ? 0 : density * area;

@@ -28,4 +28,17 @@ class AspectTest {
     void refusesToOfferNothing() {
         assertThrows(IllegalArgumentException.class, () -> new Aspect("space", List.of()));
     }
+
+    @Test
+    void oneLooksAheadAsFarAsThePredictionGoes() {
+        Aspect ahead = Ahead.aspect(1, List.of("risk"));
+        assertEquals(
+                List.of("now", "seconds 0.4", "seconds 0.8"),
+                ahead.choices().stream().map(Aspect.Choice::text).toList());
+        assertEquals(0.8, Ahead.seconds(1, 2));
+        assertEquals(0, Ahead.seconds(1, 3));
+        assertEquals(3.2, Ahead.seconds(4, 4));
+        assertEquals(0, Ahead.seconds(4, 5));
+        assertEquals(0, Ahead.seconds(4, -1));
+    }
 }

@@ -128,4 +128,20 @@ class MomentViewsTest {
                 field.scale());
         assertSame(Overlay.Continuous.class, field.scale().getClass());
     }
+
+    @Test
+    void theStripIsThatOfTheMoment() throws Exception {
+        Run run = encounter(100);
+        assertEquals(List.of("Bob"), views.strip(run, 0).orElseThrow().names());
+        double early = views.strip(run, 0.5).orElseThrow().most(0);
+        double late = views.strip(run, 2.8).orElseThrow().most(0);
+        assertTrue(late > early + 0.1, early + " and then " + late);
+        assertTrue(views.strip(crowd(3), 0.2).isEmpty());
+        assertTrue(views.strip(encounterOfNoFrame(), 0).isEmpty());
+    }
+
+    private static Run encounterOfNoFrame() throws Exception {
+        return Tasks.start(SceneXml.read(Path.of("scenes/risk/crossing.xml")).scene(), "cross")
+                .run();
+    }
 }

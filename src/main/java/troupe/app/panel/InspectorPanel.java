@@ -35,9 +35,10 @@ public final class InspectorPanel extends Panel {
         PropertiesSection properties = new PropertiesSection(look, session);
         PreferencesSection preferences = new PreferencesSection(look, session);
         ControlsSection controls = new ControlsSection(look, session);
+        ForesightSection foresight = new ForesightSection(look, session);
         WhySection why = new WhySection(look, session);
         List<Panel> all = new ArrayList<>(above);
-        all.addAll(List.of(properties, preferences, controls, why));
+        all.addAll(List.of(properties, preferences, controls, foresight, why));
         for (Panel section : all) {
             section.setBorder(BorderFactory.createCompoundBorder(
                     look.line(0, 0, section == why ? 0 : 1, 0), BorderFactory.createEmptyBorder(11, 16, 11, 16)));

@@ -1,6 +1,9 @@
 package troupe.app.panel;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.StringJoiner;
 import troupe.app.document.SceneEdits;
 import troupe.app.look.Texts;
@@ -8,6 +11,7 @@ import troupe.app.plan.Plan;
 import troupe.app.play.Figures;
 import troupe.run.Run;
 import troupe.scene.Ability;
+import troupe.scene.Encounter;
 import troupe.scene.Journey;
 import troupe.scene.Problem;
 import troupe.scene.Severity;
@@ -30,6 +34,32 @@ final class PlanWords {
                             reason.substring(0, 1).toUpperCase(Locale.ROOT) + reason.substring(1));
         }
         return texts.get("outcome." + outcome.word());
+    }
+
+    /**
+     * Returns how an encounter ended, the outcome first, then how near the actor came to somebody and how often they
+     * touched; empty for other tasks, and where nothing was simulated or it was cancelled.
+     */
+    static List<String> encounter(Run run, Texts texts) {
+        boolean found = run.outcome().isFound();
+        boolean ended = found || run.outcome().equals(Outcome.EXHAUSTED);
+        if (!ended || !(run.scene().task(run.task()).orElse(null) instanceof Encounter)) {
+            return List.of();
+        }
+        Map<String, Object> report = run.report().values();
+        List<String> words = new ArrayList<>();
+        words.add(texts.format(
+                found ? "status.arrived" : "status.gaveup",
+                Texts.number(run.frames().duration(), 1)));
+        if (report.get("smallest_gap") instanceof Double gap && report.get("collisions") instanceof Long contacts) {
+            if (contacts > 0) {
+                words.add(texts.format("status.contacts", contacts));
+            } else {
+                words.add(texts.format("status.nearest", Texts.number(gap, 2)));
+                words.add(texts.get("status.nocontact"));
+            }
+        }
+        return words;
     }
 
     /** Returns how many errors keep a scene from being planned. */

@@ -212,6 +212,13 @@ public final class StatusBar extends Panel {
         }
         boolean found = run.outcome().isFound();
         state = found ? Tone.SKELETON : Tone.MOVE;
+        List<String> ended = PlanWords.encounter(run, look().texts());
+        if (!ended.isEmpty()) {
+            String rest = String.join(" \u00b7 ", ended.subList(1, ended.size()));
+            happened(ended.get(0), rest.isEmpty() ? "" : "\u00b7 " + rest);
+            details.setToolTipText(null);
+            return;
+        }
         String millis = Texts.number(plan.millis(), plan.millis() < 10 ? 1 : 0);
         String text = found
                 ? look().texts().format("status.planned", millis)

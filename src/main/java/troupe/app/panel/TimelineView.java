@@ -140,10 +140,10 @@ final class TimelineView extends Drawn {
             paintSeconds(g);
             ChroniclePainter painter = new ChroniclePainter(
                     look, this::xAt, new ChroniclePainter.Rows(barTop, barHeight, plotTop, getHeight()));
-            painter.paintMarks(g, chronicle.get().marks(), session.playback().duration());
+            double told = Math.min(chronicle.get().seconds(), session.playback().duration());
+            painter.paintMarks(g, chronicle.get().marks(), told);
             List<Chronicle.Curve> curves = chronicle.get().curves();
-            painter.paintCurve(
-                    g, curves.get(curve % curves.size()), session.playback().duration());
+            painter.paintCurve(g, curves.get(curve % curves.size()), told);
             paintHead(g);
         } else if (run.isEmpty() || session.playback().duration() <= 0) {
             g.setColor(look.color(Tone.SOFT));

@@ -15,8 +15,10 @@ import troupe.scene.Task;
 /**
  * Tells what happened in the run of a simulation, for the timeline: what was done when, and curves over time.
  * Immutable. Curves have at most {@value #SAMPLES} values, so that a run of any length can be drawn at once.
+ *
+ * @param seconds the time that it tells of; a run that still grows may be longer by now
  */
-public record Chronicle(List<Mark> marks, List<Curve> curves) {
+public record Chronicle(List<Mark> marks, List<Curve> curves, double seconds) {
     /** The most values of a curve. */
     public static final int SAMPLES = 400;
 
@@ -71,7 +73,7 @@ public record Chronicle(List<Mark> marks, List<Curve> curves) {
         if (stepMillis.length > 0) {
             curves.add(stepTimes(stepMillis));
         }
-        return Optional.of(new Chronicle(marks, curves));
+        return Optional.of(new Chronicle(marks, curves, frames.duration()));
     }
 
     private static List<Mark> marks(Frames frames, int channel) {

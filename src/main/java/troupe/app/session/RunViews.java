@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import troupe.app.plan.Plan;
 import troupe.paint.CrowdPainter;
+import troupe.run.Ahead;
 import troupe.run.Aspect;
 import troupe.scene.Crowd;
 import troupe.scene.Encounter;
@@ -16,11 +17,6 @@ import troupe.work.MomentViews;
 public final class RunViews {
     /** The aspect of the groups whose colours are shown. */
     public static final String LEVEL = "level";
-
-    /** The aspect of how far ahead avatars are expected. */
-    public static final String AHEAD = "ahead";
-
-    private static final double[] AHEAD_SECONDS = {0.5, 1, 2, 4, 8};
 
     private RunViews() {}
 
@@ -62,25 +58,10 @@ public final class RunViews {
             }
             return List.of(new Aspect(LEVEL, choices, List.of(OverlayChoice.PLAN)));
         }
-        if (task instanceof Encounter encounter) {
-            List<Aspect.Choice> choices = new ArrayList<>();
-            for (double seconds : ahead(encounter)) {
-                String text = seconds == Math.rint(seconds) ? String.valueOf((int) seconds) : String.valueOf(seconds);
-                choices.add(Aspect.Choice.of("seconds", text));
-            }
-            return List.of(new Aspect(AHEAD, choices, List.of(MomentViews.PROBABILITY, MomentViews.RISK)));
-        }
-        return List.of();
-    }
-
-    private static List<Double> ahead(Encounter encounter) {
-        List<Double> all = new ArrayList<>();
-        for (double seconds : AHEAD_SECONDS) {
-            if (seconds <= encounter.number(Quantity.HORIZON) || all.isEmpty()) {
-                all.add(seconds);
-            }
-        }
-        return all;
+        return task instanceof Encounter encounter
+                ? List.of(Ahead.aspect(
+                        encounter.number(Quantity.HORIZON), List.of(MomentViews.PROBABILITY, MomentViews.RISK)))
+                : List.of();
     }
 
     /** Returns the depth of the groups whose colours are shown. */
@@ -91,10 +72,8 @@ public final class RunViews {
 
     /** Returns how many seconds ahead the avatars of a task are expected; 0 of tasks without. */
     public static double aheadSeconds(Task task, OverlayChoice choice) {
-        if (!(task instanceof Encounter encounter)) {
-            return 0;
-        }
-        List<Double> all = ahead(encounter);
-        return all.get(Math.min(choice.picked(AHEAD), all.size() - 1));
+        return task instanceof Encounter encounter
+                ? Ahead.seconds(encounter.number(Quantity.HORIZON), choice.picked(Ahead.KEY))
+                : 0;
     }
 }

@@ -119,6 +119,34 @@ class PlanWordsTest {
     }
 
     @Test
+    void saysHowAnEncounterEnded() throws SceneException, IOException {
+        Scene scene = SceneXml.read(Path.of("scenes/risk/crossing.xml")).scene();
+        FrameRecorder frames = new FrameRecorder(2, List.of());
+        for (int k = 0; k <= 5; k++) {
+            frames.append(new double[0]);
+        }
+        Texts english = new Texts(Locale.ENGLISH);
+        Report.Builder report = Report.builder().put("collisions", 0L).put("smallest_gap", 0.204);
+        assertEquals(
+                List.of("Arrived after 2.5 s", "nearest gap 0.20 m", "no contact"),
+                PlanWords.encounter(ended(scene, Outcome.FOUND, report, frames), english));
+        Report.Builder struck = Report.builder().put("collisions", 2L).put("smallest_gap", -0.01);
+        assertEquals(
+                List.of("Gave up after 2.5 s", "contacts: 2"),
+                PlanWords.encounter(ended(scene, Outcome.EXHAUSTED, struck, frames), english));
+        assertEquals(
+                List.of("抵達，歷時 2.5 秒"),
+                PlanWords.encounter(
+                        ended(scene, Outcome.FOUND, Report.builder(), frames), new Texts(Locale.TRADITIONAL_CHINESE)));
+        Outcome none = new Outcome.Infeasible("no way");
+        assertEquals(List.of(), PlanWords.encounter(ended(scene, none, report, frames), english));
+    }
+
+    private static Run ended(Scene scene, Outcome outcome, Report.Builder report, FrameRecorder frames) {
+        return new Run(scene, "cross", outcome, report.build(), frames.frames(), List.of(), List.of());
+    }
+
+    @Test
     void saysNothingOfWalking() throws SceneException, IOException {
         assertEquals(
                 "", PlanWords.flips(explainWithoutMoving("two-ways.xml", "to-the-hall"), new Texts(Locale.ENGLISH)));
