@@ -33,12 +33,15 @@ class AspectTest {
     void oneLooksAheadAsFarAsThePredictionGoes() {
         Aspect ahead = Ahead.aspect(1, List.of("risk"));
         assertEquals(
-                List.of("now", "seconds 0.4", "seconds 0.8"),
+                List.of("seconds 0.4", "seconds 0.8"),
                 ahead.choices().stream().map(Aspect.Choice::text).toList());
-        assertEquals(0.8, Ahead.seconds(1, 2));
-        assertEquals(0, Ahead.seconds(1, 3));
-        assertEquals(3.2, Ahead.seconds(4, 4));
-        assertEquals(0, Ahead.seconds(4, 5));
-        assertEquals(0, Ahead.seconds(4, -1));
+        assertEquals(0.8, Ahead.seconds(1, 1));
+        assertEquals(0.4, Ahead.seconds(1, 2));
+        assertEquals(3.2, Ahead.seconds(4, 3));
+        assertEquals(0.4, Ahead.seconds(4, 4));
+        assertEquals(0.4, Ahead.seconds(4, -1));
+        assertEquals(
+                List.of(Aspect.Choice.of("now")), Ahead.aspect(0.3, List.of()).choices());
+        assertEquals(0, Ahead.seconds(0.3, 0));
     }
 }

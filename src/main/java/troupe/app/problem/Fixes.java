@@ -3,6 +3,8 @@ package troupe.app.problem;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.BiFunction;
+import java.util.function.Function;
 import troupe.app.document.NewElements;
 import troupe.app.document.Outlines;
 import troupe.app.document.SceneEdits;
@@ -13,11 +15,14 @@ import troupe.geometry.SelfIntersection;
 import troupe.scene.Actor;
 import troupe.scene.Ditch;
 import troupe.scene.Element;
+import troupe.scene.Encounter;
 import troupe.scene.Journey;
 import troupe.scene.Obstacle;
 import troupe.scene.Place;
 import troupe.scene.Problem;
 import troupe.scene.Scene;
+import troupe.scene.Severity;
+import troupe.scene.Task;
 import troupe.work.BlockageSearch;
 
 /** Finds simple changes that mend what is wrong with an element, by looking at the element. Pure; any thread. */
@@ -32,7 +37,13 @@ final class Fixes {
             return List.of();
         }
         if (element.get() instanceof Journey journey) {
-            return journey(scene, journey, problem);
+            Errand errand =
+                    new Errand(journey.actor(), journey.start(), journey.goal(), journey::withActor, journey::between);
+            return errand(scene, errand, problem);
+        }
+        if (element.get() instanceof Encounter met) {
+            Errand errand = new Errand(met.actor(), met.start(), met.goal(), met::withActor, met::between);
+            return errand(scene, errand, problem);
         }
         if (element.get() instanceof Obstacle || element.get() instanceof Ditch) {
             return shape(scene, element.get(), problem);
@@ -40,27 +51,43 @@ final class Fixes {
         return List.of();
     }
 
-    private static List<Fix> journey(Scene scene, Journey journey, Problem problem) {
+    /** A task that leads one actor from a start to a goal, and how to give it another actor, or other ends. */
+    private record Errand(
+            String actor,
+            Place start,
+            Place goal,
+            Function<String, Task> with,
+            BiFunction<Place, Place, Task> between) {}
+
+    private static List<Fix> errand(Scene scene, Errand errand, Problem problem) {
         List<Fix> fixes = new ArrayList<>();
-        Optional<Actor> actor = scene.actor(journey.actor());
+        Optional<Actor> actor = scene.actor(errand.actor());
         if (actor.isEmpty()) {
             for (Actor other : scene.actors()) {
-                fixes.add(new Fix("fix.actor", other.name(), scene.with(journey.withActor(other.id()))));
-            }
-            if (fixes.isEmpty() && !journey.actor().isEmpty()) {
                 fixes.add(new Fix(
-                        "fix.newactor", journey.actor(), NewElements.with(scene, Actor.standard(journey.actor()))));
+                        "fix.actor", other.name(), scene.with(errand.with().apply(other.id()))));
+            }
+            if (fixes.isEmpty() && !errand.actor().isEmpty()) {
+                fixes.add(new Fix(
+                        "fix.newactor", errand.actor(), NewElements.with(scene, Actor.standard(errand.actor()))));
             }
             return fixes;
         }
-        if (problem.message().contains("start ")) {
-            free(scene, actor.get(), journey.start())
-                    .ifPresent(
-                            place -> fixes.add(new Fix("fix.start", "", SceneEdits.startingAt(scene, journey, place))));
+        // avatars that are in the way, and walls between both ends, are no fault of the ends
+        String message = problem.severity() == Severity.ERROR
+                        && !problem.message().startsWith("avatar ")
+                        && !problem.message().endsWith(" apart")
+                ? problem.message()
+                : "";
+        if (message.contains("start ")) {
+            free(scene, actor.get(), errand.start())
+                    .ifPresent(place -> fixes.add(
+                            new Fix("fix.start", "", scene.with(errand.between().apply(place, errand.goal())))));
         }
-        if (problem.message().contains("goal ")) {
-            free(scene, actor.get(), journey.goal())
-                    .ifPresent(place -> fixes.add(new Fix("fix.goal", "", SceneEdits.endingAt(scene, journey, place))));
+        if (message.contains("goal ")) {
+            free(scene, actor.get(), errand.goal())
+                    .ifPresent(place -> fixes.add(
+                            new Fix("fix.goal", "", scene.with(errand.between().apply(errand.start(), place)))));
         }
         return fixes;
     }
@@ -91,7 +118,7 @@ final class Fixes {
                     scene.with(new Obstacle(
                             o.id(), o.label(), o.outline(), 0, o.height(), o.movable(), o.mass(), o.colour()))));
         }
-        if (fixes.isEmpty() && problem.severity() == troupe.scene.Severity.ERROR) {
+        if (fixes.isEmpty() && problem.severity() == Severity.ERROR) {
             fixes.add(new Fix("fix.remove", element.name(), SceneEdits.removed(scene, List.of(element.id()))));
         }
         return fixes;

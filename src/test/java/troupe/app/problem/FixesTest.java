@@ -6,12 +6,15 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import troupe.app.Scenes;
 import troupe.app.document.NewElements;
 import troupe.app.document.SceneEdits;
 import troupe.geometry.Polygon;
 import troupe.geometry.SelfIntersection;
+import troupe.scene.Avatar;
+import troupe.scene.Encounter;
 import troupe.scene.Journey;
 import troupe.scene.Obstacle;
 import troupe.scene.Place;
@@ -46,6 +49,31 @@ class FixesTest {
     private static Scene with(Polygon outline) {
         Scene room = Scenes.room();
         return room.with(room.obstacle("crate").orElseThrow().withOutline(outline));
+    }
+
+    @Test
+    void theEndsOfAnEncounterLeaveTheObstaclesTheyStandIn() {
+        Scene wall = Scenes.room()
+                .with(new Obstacle("crate", "", Polygon.rectangle(4, 3, 5, 4), 0, 3, false, Obstacle.DEFAULT_MASS, ""));
+        String actor = wall.actors().get(0).id();
+        Avatar through = Avatar.of(
+                "bob",
+                new Avatar.Script(
+                        Place.of(4.5, 1), 1, List.of(new Avatar.Head(Place.of(4.5, 5), OptionalDouble.empty()))));
+        Encounter meet = Encounter.of("meet", actor, Place.of(4.5, 3.5), Place.of(1, 1), List.of(through));
+        Scene wrong = NewElements.with(wall, meet);
+        Fix fix = first(wrong, "meet");
+        assertEquals("fix.start", fix.key());
+        List<Problem> left = problems(fix.mended()).stream()
+                .filter(p -> p.element().equals("meet"))
+                .toList();
+        assertEquals(1, left.size(), left::toString);
+        assertEquals(Severity.WARNING, left.get(0).severity());
+        assertEquals(List.of(), Fixes.of(fix.mended(), left.get(0)));
+        Scene lost = wrong.with(meet.between(Place.of(1, 1), Place.of(4.5, 3.5)));
+        assertEquals("fix.goal", first(lost, "meet").key());
+        assertEquals(
+                "fix.actor", first(wrong.with(meet.withActor("nobody")), "meet").key());
     }
 
     @Test
