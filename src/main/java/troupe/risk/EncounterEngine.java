@@ -156,7 +156,7 @@ public final class EncounterEngine implements Simulation {
         report.decided(action, System.nanoTime() - begin, thinking.expanded());
         double risk = thinking.risk(now);
         report.risk(risk);
-        frames.add(x, y, heading, risk, action, thinking.path(), courses, now);
+        frames.add(new EncounterFrames.State(x, y, heading, risk, action), thinking.path(), courses, now);
         steps++;
         if (arrived()) {
             outcome = Outcome.FOUND;

@@ -1,6 +1,7 @@
 package troupe.risk;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import troupe.risk.plan.TimedPath;
 import troupe.run.Channel;
@@ -58,23 +59,19 @@ public final class EncounterFrames {
         lastX = new double[count];
         lastY = new double[count];
         headings = new double[count];
-        java.util.Arrays.fill(lastX, Double.NaN);
+        Arrays.fill(lastX, Double.NaN);
     }
 
-    void add(
-            double x,
-            double y,
-            double heading,
-            double risk,
-            Action action,
-            TimedPath plan,
-            List<Course> courses,
-            double now) {
-        values[0] = x;
-        values[1] = y;
-        values[2] = heading;
-        values[3] = risk;
-        values[4] = action.ordinal();
+    /** What an actor is and does in a step: place in metres, heading in radians, mean risk of its plan, action. */
+    record State(double x, double y, double heading, double risk, Action action) {}
+
+    /** Adds the frame of a time in seconds. */
+    void add(State actorNow, TimedPath plan, List<Course> courses, double now) {
+        values[0] = actorNow.x();
+        values[1] = actorNow.y();
+        values[2] = actorNow.heading();
+        values[3] = actorNow.risk();
+        values[4] = actorNow.action().ordinal();
         sample(plan);
         int slot = FIXED + 3 * POINTS;
         for (int a = 0; a < courses.size(); a++) {
@@ -92,7 +89,7 @@ public final class EncounterFrames {
             values[slot++] = headings[a];
         }
         recorder.append(values);
-        way.add(new double[] {x, y, 0});
+        way.add(new double[] {actorNow.x(), actorNow.y(), 0});
     }
 
     private void sample(TimedPath plan) {

@@ -69,7 +69,7 @@ final class Thinking {
         forecast = new Forecast(encounter, ways);
         hazards = new Hazards(near, horizon);
         risk = new PathRisk(forecast, hazards);
-        search = new TimeSearch(ground, encounter, forecast, hazards, still, LIMIT);
+        search = new TimeSearch(ground, encounter, forecast, hazards, LIMIT);
         updating = new Updating(
                 ground, risk, (int) encounter.number(Quantity.REACH), encounter.number(Quantity.TRADE), horizon);
     }

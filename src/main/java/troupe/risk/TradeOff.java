@@ -51,12 +51,15 @@ public final class TradeOff {
         int start = ground.region().locate(encounter.start());
         List<Choice> choices = new ArrayList<>();
         for (double caution : cautions) {
-            Encounter cautious = encounter.with(Encounter.Order.OPTIMAL).with(Quantity.CAUTION, caution);
+            Encounter cautious = encounter
+                    .with(Encounter.Method.RISK)
+                    .with(Encounter.Order.OPTIMAL)
+                    .with(Quantity.CAUTION, caution);
             Forecast forecast = new Forecast(cautious, ways);
             forecast.compute(pasts);
             Hazards hazards = new Hazards(new double[0], encounter.number(Quantity.HORIZON));
             TimedPath path = new TimedPath();
-            TimeSearch search = new TimeSearch(ground, cautious, forecast, hazards, false, LIMIT);
+            TimeSearch search = new TimeSearch(ground, cautious, forecast, hazards, LIMIT);
             boolean found = start >= 0
                     && search.search(encounter.start().x(), encounter.start().y(), start, 0, path)
                             .isFound();

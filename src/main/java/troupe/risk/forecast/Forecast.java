@@ -214,8 +214,8 @@ public final class Forecast {
         return near / all;
     }
 
-    /** Returns the influence of one avatar, at least 0. */
-    public double influence(int a, double atX, double atY, double withX, double withY, int step) {
+    /** Returns the influence of one avatar, at least 0: the weighted mean of equation 5 over its samples. */
+    private double influence(int a, double atX, double atY, double withX, double withY, int step) {
         double fromX = atX - (x[a] + vx[a] * step * STEP);
         double fromY = atY - (y[a] + vy[a] * step * STEP);
         double away = Math.sqrt(fromX * fromX + fromY * fromY);

@@ -54,16 +54,16 @@ public final class TimeSearch implements Expander {
     /**
      * Makes a search.
      *
+     * @param encounter whose method {@code STATIC} searches in space alone, as if nothing ever changed
      * @param limit the most expansions, at least 1
-     * @param timeless whether to search in space alone, as if nothing ever changed
      */
-    public TimeSearch(
-            Ground ground, Encounter encounter, Forecast forecast, Hazards hazards, boolean timeless, long limit) {
+    public TimeSearch(Ground ground, Encounter encounter, Forecast forecast, Hazards hazards, long limit) {
         this.ground = ground;
         this.region = ground.region();
         this.frame = region.frame();
         this.forecast = forecast;
         this.hazards = hazards;
+        boolean timeless = encounter.method() == Encounter.Method.STATIC;
         this.optimal = timeless || encounter.ordering() == Encounter.Order.OPTIMAL;
         this.caution = encounter.number(Quantity.CAUTION);
         this.tick = ground.tick();

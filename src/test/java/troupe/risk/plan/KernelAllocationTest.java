@@ -33,7 +33,7 @@ class KernelAllocationTest {
     private final List<History> pasts = new ArrayList<>();
     private final Hazards hazards = new Hazards(near(), encounter.number(Quantity.HORIZON));
     private final PathRisk risk = new PathRisk(forecast, hazards);
-    private final TimeSearch search = new TimeSearch(ground, encounter, forecast, hazards, false, 60_000);
+    private final TimeSearch search = new TimeSearch(ground, encounter, forecast, hazards, 60_000);
     private final Updating updating = new Updating(ground, risk, 12, 2, encounter.number(Quantity.HORIZON));
     private final TimedPath plan = new TimedPath();
     private final TimedPath fresh = new TimedPath();
