@@ -72,6 +72,74 @@ public final class ConfigurationSpace {
         return heading(k).get(col, row);
     }
 
+    /** Returns the greatest radius in metres of a place of the path that the obstacle can bar, 0 if there is none. */
+    double widest() {
+        return Arrays.stream(radii).max().orElse(0);
+    }
+
+    /**
+     * Marks in a square of poses, {@code half} to each side, those of a heading that are barred and keep the centroid over
+     * the frame.
+     *
+     * @param square row by row; what is marked becomes {@link Prices#BLOCKED}
+     */
+    void mark(int k, int half, long[] square) {
+        Heading heading = heading(k);
+        for (int j = lowest(half); j <= highest(half); j++) {
+            int at = (j + half) * (2 * half + 1) + half;
+            for (int i = leftmost(half); i <= rightmost(half); i++) {
+                if (heading.get(homeCol + i, homeRow + j)) {
+                    square[at + i] = Prices.BLOCKED;
+                }
+            }
+        }
+    }
+
+    /**
+     * Marks in a square of poses, {@code half} to each side, those at which a disc about the centroid collides with the
+     * path and which keep the centroid over the frame: whatever the heading, an obstacle that holds the disc does, too.
+     *
+     * @param radius of the disc in metres; nothing is marked unless above 0
+     * @param square row by row; what is marked becomes {@link Prices#BLOCKED}
+     */
+    void markDisc(double radius, int half, long[] square) {
+        for (int r = 0; r < radii.length && radius > 0; r++) {
+            double reach = (radius + radii[r]) / frame.cell();
+            for (int n : places[r]) {
+                int cell = path.cell(n);
+                double x = (frame.centreX(frame.col(cell)) - movable.centroid().x()) / frame.cell();
+                double y = (frame.centreY(frame.row(cell)) - movable.centroid().y()) / frame.cell();
+                int low = Math.max(lowest(half), (int) Math.ceil(y - reach));
+                int high = Math.min(highest(half), (int) Math.floor(y + reach));
+                for (int j = low; j <= high; j++) {
+                    double across = Math.sqrt(Math.max(0, reach * reach - (y - j) * (y - j)));
+                    int left = Math.max(leftmost(half), (int) Math.ceil(x - across));
+                    int right = Math.min(rightmost(half), (int) Math.floor(x + across));
+                    int at = (j + half) * (2 * half + 1) + half;
+                    for (int i = left; i <= right; i++) {
+                        square[at + i] = Prices.BLOCKED;
+                    }
+                }
+            }
+        }
+    }
+
+    private int lowest(int half) {
+        return Math.max(-half, -homeRow);
+    }
+
+    private int highest(int half) {
+        return Math.min(half, frame.rows() - 1 - homeRow);
+    }
+
+    private int leftmost(int half) {
+        return Math.max(-half, -homeCol);
+    }
+
+    private int rightmost(int half) {
+        return Math.min(half, frame.cols() - 1 - homeCol);
+    }
+
     /**
      * Returns the barred poses of a heading that keep the centroid over the frame, as the cells that hold the
      * centroid, ascending; for showing. Cost O(rows and poses).

@@ -12,11 +12,11 @@ import troupe.search.Outcome;
 
 /**
  * Searches for the cheapest place to which an obstacle can be moved so that it does not bar an expected
- * path: a uniform-cost search over the poses of its lattice, from where it stands to the first pose that
- * bars nothing (with a grip: and where the actor can let go). Moves are tried in the order east, north,
- * west, south, north-east, north-west, south-west, south-east, counter-clockwise, clockwise; poses of equal
- * cost are taken in the order in which they were added. It can pause after any expansion; how it is sliced
- * changes nothing. Used by one thread at a time.
+ * path: from where it stands over the poses of its lattice to one that bars nothing (with a grip: and where the
+ * actor can let go). Of several that cost as little it is, with a grip, the one that leaves the actor nearest to the end of
+ * its path; then that of the least heading, row, column. Poses are taken in the order of their cost and what they still cost at
+ * least ({@link ExitDistance}), moves tried in the order east, north, west, south, north-east, north-west, south-west, south-east, counter-clockwise, clockwise. It
+ * can pause after any expansion; how it is sliced changes nothing. Used by one thread at a time.
  *
  * <p>With two headings an obstacle is turned counter-clockwise only, so that two poses tell the motion
  * between them; with one it is not turned.
@@ -46,6 +46,7 @@ public final class Instance {
     private final BestFirst search;
 
     private final PoseLabels labels = new PoseLabels();
+    private final ExitDistance exit;
     private int reached = PoseLabels.NONE;
 
     /** Prepares the search; the first expansion takes the pose in which the obstacle stands. */
@@ -70,6 +71,7 @@ public final class Instance {
             }
         }
         share = leastShare();
+        exit = new ExitDistance(movable, barred, shiftCosts[0], shiftCosts[STRAIGHT], leastTurn());
         table = new PoseTable(cols, headings * (grip == null ? 1 : grip.sheets()));
         search = new BestFirst(
                 open,
@@ -112,8 +114,8 @@ public final class Instance {
     }
 
     /**
-     * Returns a lower bound in units on the cost of the result: the cost itself when found, the least of the
-     * open poses while running, {@link Long#MAX_VALUE} if there is no result.
+     * Returns a lower bound in units on the cost of the result: the cost itself when known, the least that open poses
+     * promise while running, {@link Long#MAX_VALUE} if there is no result.
      */
     public long least() {
         if (reached >= 0) {
@@ -154,6 +156,14 @@ public final class Instance {
                 share(prices.straight(), prices.walkStraight()), share(prices.diagonal(), prices.walkDiagonal()));
         for (int k = 0; headings > 1 && k < headings; k++) {
             least = Math.min(least, share(prices.turn(), turnCost(k) - prices.turn()));
+        }
+        return least;
+    }
+
+    private long leastTurn() {
+        long least = Prices.BLOCKED;
+        for (int k = 0; headings > 1 && k < headings; k++) {
+            least = Math.min(least, turnCost(k));
         }
         return least;
     }
@@ -219,23 +229,35 @@ public final class Instance {
     }
 
     private void requireFound() {
-        if (reached < 0) {
+        if (!outcome().isFound()) {
             throw new IllegalStateException("outcome " + outcome().word() + "; only a search that found has a result");
         }
     }
 
     private Expander.Verdict expand(int label, long key) {
-        if (key != labels.cost(label)) {
-            return Expander.Verdict.SKIPPED;
-        }
+        boolean passed = reached >= 0 && key > labels.cost(reached);
+        Expander.Verdict verdict = passed ? Expander.Verdict.SKIPPED : take(label, key);
+        boolean over = reached >= 0 && (passed || open.isEmpty() || open.firstKey() > labels.cost(reached));
+        return over ? Expander.Verdict.GOAL : verdict;
+    }
+
+    private Expander.Verdict take(int label, long key) {
         int col = labels.cell(label) % cols;
         int row = labels.cell(label) / cols;
         int k = labels.heading(label);
         int i = col - homeCol;
         int j = row - homeRow;
+        long least = Prices.sum(labels.cost(label), exit.of(i, j, k));
+        if (key < least) {
+            open.add(label, least, labels.cost(label));
+            return Expander.Verdict.SKIPPED;
+        }
+        if (key > least || labels.close(label)) {
+            return Expander.Verdict.SKIPPED;
+        }
         if (!barred.contains(i, j, k) && (grip == null || grip.settles(labels.stand(label), i, j, k))) {
-            reached = label;
-            return Expander.Verdict.GOAL;
+            reached = reached < 0 || precedes(label, reached) ? label : reached;
+            return Expander.Verdict.EXPANDED;
         }
         if (!sweeps.isFree()) {
             return Expander.Verdict.EXPANDED;
@@ -254,6 +276,31 @@ public final class Instance {
             turn(label, col, row, k, false);
         }
         return Expander.Verdict.EXPANDED;
+    }
+
+    /**
+     * Tells which of two poses of equal cost is the result: with a grip that which leaves the actor nearer to the end of its
+     * path, cell to cell; then that of the lesser heading, row, column, stand.
+     */
+    private boolean precedes(int label, int other) {
+        long far = grip == null ? 0 : farness(labels.stand(label)) - farness(labels.stand(other));
+        if (far != 0) {
+            return far < 0;
+        }
+        if (labels.heading(label) != labels.heading(other)) {
+            return labels.heading(label) < labels.heading(other);
+        }
+        return labels.cell(label) != labels.cell(other)
+                ? labels.cell(label) < labels.cell(other)
+                : labels.stand(label) < labels.stand(other);
+    }
+
+    private long farness(int stand) {
+        int cell = stand % (cols * rows);
+        int end = barred.path().cell(barred.path().size() - 1);
+        long dx = cell % cols - end % cols;
+        long dy = cell / cols - end / cols;
+        return dx * dx + dy * dy;
     }
 
     private void shift(int label, int fromCol, int fromRow, int k, int direction) {
@@ -328,6 +375,7 @@ public final class Instance {
             table.set(slot, label);
         }
         labels.set(label, parent, stand, cost);
-        open.add(label, cost, cost);
+        long least = Prices.sum(cost, exit.quick(col - homeCol, row - homeRow, k));
+        open.add(label, least, cost);
     }
 }

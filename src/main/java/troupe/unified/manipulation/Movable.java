@@ -28,6 +28,7 @@ public final class Movable {
     private final int headings;
     private final Point centroid;
     private final double farthest;
+    private final double inner;
     private final double[] cosines;
     private final double[] sines;
     private final AtomicReferenceArray<Polygon> outlines;
@@ -56,6 +57,9 @@ public final class Movable {
             most = Math.max(most, centroid.distance(outline.x(i), outline.y(i)));
         }
         this.farthest = most;
+        this.inner = outline.contains(centroid.x(), centroid.y())
+                ? outline.distanceToOutline(centroid.x(), centroid.y())
+                : 0;
         this.cosines = new double[headings];
         this.sines = new double[headings];
         for (int k = 0; k < headings; k++) {
@@ -121,6 +125,11 @@ public final class Movable {
     /** Returns the distance in metres from the centroid to the farthest corner. */
     public double farthest() {
         return farthest;
+    }
+
+    /** Returns the radius in metres of the largest disc about the centroid in the obstacle, 0 if that lies outside of it. */
+    double innerRadius() {
+        return inner;
     }
 
     /** Returns where a lattice pose puts the centroid in metres, and the heading in radians, in [0, 2π). */

@@ -1,6 +1,7 @@
 package troupe.unified.manipulation;
 
 import java.util.Arrays;
+import java.util.BitSet;
 
 /**
  * Keeps what a search knows of the poses that it has reached, in growing columns: a pose has one label, which
@@ -16,6 +17,7 @@ final class PoseLabels {
     private int[] parents = new int[256];
     private int[] stands = new int[256];
     private long[] costs = new long[256];
+    private final BitSet closed = new BitSet(256);
 
     /** Adds a label for the pose whose centroid lies in a cell of the frame; returns its number. */
     int add(int cell, int heading) {
@@ -57,5 +59,12 @@ final class PoseLabels {
 
     long cost(int label) {
         return costs[label];
+    }
+
+    /** Notes that a label has been taken; its cost is the least. Returns whether it was taken before. */
+    boolean close(int label) {
+        boolean before = closed.get(label);
+        closed.set(label);
+        return before;
     }
 }

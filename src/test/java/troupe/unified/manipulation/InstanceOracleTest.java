@@ -28,6 +28,7 @@ class InstanceOracleTest {
     private static final Actor THIN = Actor.walker("b", 0.04, 0);
 
     private final Random random = new Random(2024);
+    private final Random slices = new Random(7);
     private int found;
     private int failed;
     private int hard;
@@ -154,11 +155,11 @@ class InstanceOracleTest {
         slow.solve();
         Instance whole = Plans.solved(question);
         assertEquals(slow.found != null, whole.outcome().isFound(), trial);
-        assertEquals(slow.expanded, whole.expanded(), trial);
+        assertTrue(whole.expanded() <= slow.expanded, trial);
         Instance sliced = new Instance(question);
         Instance other = new Instance(question);
         while (sliced.outcome().isRunning()) {
-            sliced.advance(1 + random.nextInt(20), random.nextInt(3) == 0 ? sliced.least() : Long.MAX_VALUE);
+            sliced.advance(1 + slices.nextInt(20), slices.nextInt(3) == 0 ? sliced.least() : Long.MAX_VALUE);
             other.advance(7, Long.MAX_VALUE);
         }
         assertEquals(whole.outcome(), sliced.outcome(), trial);
@@ -171,9 +172,10 @@ class InstanceOracleTest {
             return;
         }
         found++;
-        hard += slow.expanded > 20 && slow.poses().size() > 3 ? 1 : 0;
+        hard += slow.expanded > 20 && whole.transfer().poses().size() > 3 ? 1 : 0;
         assertEquals(slow.cost(), whole.cost(), trial);
-        assertEquals(slow.poses(), whole.transfer().poses(), trial);
+        assertEquals(slow.found.pose(), whole.transfer().last(), trial);
+        assertEquals(slow.cost(), slow.cost(whole.transfer().poses()), trial);
         assertEquals(slow.found.stand(), whole.transfer().to(), trial);
         assertEquals(whole.transfer(), sliced.transfer(), trial);
         assertEquals(whole.transfer(), other.transfer(), trial);

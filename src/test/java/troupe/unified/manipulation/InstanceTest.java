@@ -67,6 +67,16 @@ class InstanceTest {
     }
 
     @Test
+    void ofPlacesThatCostAsLittleItIsThatOfTheLeastRow() {
+        // the path runs through the middle of a crate 1 m wide; to either side it must go 0.75 m: 8 cells
+        Scene scene = Plans.scene(8, 8, 0.1, Plans.crate(3.05, 3.05, 4.05, 4.05));
+        Instance instance = Plans.solved(Plans.free(scene, 1, Plans.along(scene, 3.55, 1, 7, 0.25), PRICES));
+        assertEquals(new LatticePose(0, -8, 0), instance.transfer().last());
+        assertEquals(8 * 1000, instance.cost());
+        assertTrue(instance.expanded() < 100, instance.expanded() + " expansions");
+    }
+
+    @Test
     void aBoxBehindABoxHasToBeMovedFirst() {
         // a niche 1 m wide and 2 m deep holds two boxes; only the outer one can come out
         Scene scene = Plans.scene(

@@ -1,7 +1,5 @@
 package troupe.unified.manipulation;
 
-import java.util.ArrayList;
-import java.util.Collections;
 import java.util.Comparator;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -34,7 +32,6 @@ final class SlowInstance {
     private final SweepsTest.Moments moments;
     private final Sweeps exact;
     private final Map<State, Long> best = new HashMap<>();
-    private final Map<State, State> parents = new HashMap<>();
     private final PriorityQueue<Entry> open =
             new PriorityQueue<>(Comparator.comparingLong(Entry::cost).thenComparingLong(Entry::number));
     private long number;
@@ -51,7 +48,7 @@ final class SlowInstance {
     }
 
     void solve() {
-        add(null, new State(LatticePose.HOME, question.trigger()), 0);
+        add(new State(LatticePose.HOME, question.trigger()), 0);
         Set<State> closed = new HashSet<>();
         boolean stuck = moments.overlaps(movable.obstacle().outline());
         while (!open.isEmpty()) {
@@ -59,13 +56,19 @@ final class SlowInstance {
             if (!closed.add(entry.state)) {
                 continue;
             }
-            expanded++;
-            if (isFree(entry.state.pose) && (grip == null || grip.settles(entry.state))) {
-                found = entry.state;
+            if (found != null && entry.cost > cost()) {
                 return;
             }
+            expanded++;
+            if (isFree(entry.state.pose) && (grip == null || grip.settles(entry.state))) {
+                found = found == null || order().compare(entry.state, found) < 0 ? entry.state : found;
+                continue;
+            }
             for (int move = 0; move < 10 && !stuck; move++) {
-                expand(entry, move);
+                Entry next = after(entry.state, move);
+                if (next != null) {
+                    add(next.state, entry.cost + next.cost);
+                }
             }
         }
     }
@@ -74,13 +77,40 @@ final class SlowInstance {
         return best.get(found);
     }
 
-    List<LatticePose> poses() {
-        List<LatticePose> poses = new ArrayList<>();
-        for (State state = found; state != null; state = parents.get(state)) {
-            poses.add(state.pose);
+    /** Returns what moves from pose to pose cost from the beginning on, -1 if one of them is not allowed. */
+    long cost(List<LatticePose> poses) {
+        State state = new State(LatticePose.HOME, question.trigger());
+        long cost = 0;
+        for (LatticePose pose : poses.subList(1, poses.size())) {
+            Entry taken = null;
+            for (int move = 0; move < 10 && taken == null; move++) {
+                Entry next = after(state, move);
+                taken = next != null && next.state.pose.equals(pose) ? next : null;
+            }
+            if (taken == null) {
+                return -1;
+            }
+            state = taken.state;
+            cost += taken.cost;
         }
-        Collections.reverse(poses);
-        return poses;
+        return cost;
+    }
+
+    /** Orders the cheapest poses: with a grip by how far the actor is from the end of its path; heading, row, column, stand. */
+    private Comparator<State> order() {
+        ExpectedPath path = question.barred().path();
+        GridFrame frame = path.frame();
+        int end = path.cell(path.size() - 1);
+        return Comparator.comparingDouble((State s) -> {
+                    int cell = s.stand % frame.size();
+                    double columns = frame.col(cell) - frame.col(end);
+                    double rows = frame.row(cell) - frame.row(end);
+                    return grip == null ? 0 : columns * columns + rows * rows;
+                })
+                .thenComparingInt(s -> s.pose.k())
+                .thenComparingInt(s -> s.pose.j())
+                .thenComparingInt(s -> s.pose.i())
+                .thenComparingInt(State::stand);
     }
 
     private boolean isFree(LatticePose pose) {
@@ -108,33 +138,33 @@ final class SlowInstance {
                 at.k() * 2 * Math.PI / movable.headings());
     }
 
-    private void expand(Entry entry, int move) {
-        LatticePose from = entry.state.pose;
+    /** Returns where a move leads and what it costs, null if it is not allowed. */
+    private Entry after(State state, int move) {
+        LatticePose from = state.pose;
         int headings = movable.headings();
         LatticePose to = move < 8
                 ? new LatticePose(from.i() + GridFrame.dx(move), from.j() + GridFrame.dy(move), from.k())
                 : new LatticePose(from.i(), from.j(), Math.floorMod(from.k() + (move == 8 ? 1 : -1), headings));
         if (!hasRoom(from, move) || !rests(to)) {
-            return;
+            return null;
         }
         Prices prices = question.prices();
-        long cost = entry.cost + (move < 4 ? prices.straight() : move < 8 ? prices.diagonal() : prices.turn());
-        int stand = entry.state.stand;
+        long cost = move < 4 ? prices.straight() : move < 8 ? prices.diagonal() : prices.turn();
+        int stand = state.stand;
         if (grip != null) {
-            SlowGrip.Walk walk = grip.walk(entry.state, move);
+            SlowGrip.Walk walk = grip.walk(state, move);
             if (walk == null) {
-                return;
+                return null;
             }
             stand = walk.stand();
             cost += walk.straight() * prices.walkStraight() + walk.diagonal() * prices.walkDiagonal();
         }
-        add(entry.state, new State(to, stand), cost);
+        return new Entry(new State(to, stand), cost, 0);
     }
 
-    private void add(State parent, State state, long cost) {
+    private void add(State state, long cost) {
         if (!best.containsKey(state) || cost < best.get(state)) {
             best.put(state, cost);
-            parents.put(state, parent);
             open.add(new Entry(state, cost, number++));
         }
     }

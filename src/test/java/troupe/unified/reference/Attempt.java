@@ -1,5 +1,6 @@
 package troupe.unified.reference;
 
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -7,7 +8,8 @@ import java.util.PriorityQueue;
 
 /**
  * Looks for the cheapest pose of an obstacle that bars no spot of an expected way, by uniform cost: every pose
- * is held against every spot. With a grip the actor is carried along.
+ * is held against every spot. Of several cheapest it is that which leaves the actor nearest to the end of the
+ * way, then that of the least heading, row, column. With a grip the actor is carried along.
  */
 final class Attempt {
     private final Mover mover;
@@ -75,8 +77,19 @@ final class Attempt {
         return open.isEmpty() ? Prices.NONE : open.peek().cost;
     }
 
+    /** Tells whether the result is known: the first in order of all that cost as little. */
     boolean isFound() {
-        return result != null;
+        return result != null && (open.isEmpty() || open.peek().cost > result.cost);
+    }
+
+    private boolean precedes(State a, State b) {
+        long[] first = {far(a.stand), a.pose.k(), a.pose.j(), a.pose.i(), a.stand};
+        long[] second = {far(b.stand), b.pose.k(), b.pose.j(), b.pose.i(), b.stand};
+        return Arrays.compare(first, second) < 0;
+    }
+
+    private long far(int stand) {
+        return grip == null ? 0 : grip.far(stand, way.get(way.size() - 1).at());
     }
 
     Mover.Pose pose() {
@@ -89,7 +102,7 @@ final class Attempt {
 
     /** Goes on until the result is found, there is none, or it costs more than a limit. */
     void advance(long most) {
-        while (result == null && !open.isEmpty() && open.peek().cost <= most) {
+        while (!isFound() && !open.isEmpty() && open.peek().cost <= most) {
             Entry entry = open.remove();
             Node node = entry.node;
             if (node.settled || entry.cost != node.cost) {
@@ -99,8 +112,8 @@ final class Attempt {
             Mover.Pose pose = node.state.pose;
             if (firstCollision(mover, pose, way, bodyHeight) < 0
                     && (grip == null || grip.settles(pose, node.state.stand, way))) {
-                result = node;
-                return;
+                result = result == null || precedes(node.state, result.state) ? node : result;
+                continue;
             }
             for (int move = 0; move < 10; move++) {
                 expand(node, move);

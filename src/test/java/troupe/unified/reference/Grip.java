@@ -49,6 +49,13 @@ final class Grip {
         return inside ? at + pose.j() * ground.cols + pose.i() : -1;
     }
 
+    /** Returns the squared distance in cells from where the actor stands to a cell. */
+    long far(int stand, int at) {
+        long dx = ground.cellOf(stand) % ground.cols - at % ground.cols;
+        long dy = ground.cellOf(stand) / ground.cols - at / ground.cols;
+        return dx * dx + dy * dy;
+    }
+
     /** Returns where a move of the obstacle carries the actor, null if it cannot go along. */
     Carried carried(Mover.Pose pose, int stand, int move) {
         if (!without.firm(stand)) {
