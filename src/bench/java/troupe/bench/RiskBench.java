@@ -1,6 +1,8 @@
 package troupe.bench;
 
+import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.concurrent.TimeUnit;
@@ -33,6 +35,9 @@ import troupe.search.Outcome;
 @Warmup(iterations = 5, time = 1)
 @Measurement(iterations = 5, time = 2)
 public class RiskBench {
+    private static final int WARM = 15;
+    private static final int ROUNDS = 25;
+
     private Scene scene;
     private Encounter encounter;
     private EncounterEngine engine;
@@ -80,5 +85,37 @@ public class RiskBench {
     @Benchmark
     public Outcome firstPlan() {
         return EncounterEngine.of(scene, encounter).step(1);
+    }
+
+    /** Prints the processor time of steps and of first plans, which other work on the machine disturbs less. */
+    public static void main(String[] arguments) {
+        RiskBench bench = new RiskBench();
+        bench.setUp();
+        List<Double> steps = new ArrayList<>();
+        List<Double> plans = new ArrayList<>();
+        for (int round = -WARM; round < ROUNDS; round++) {
+            bench.engine = EncounterEngine.of(bench.scene, bench.encounter);
+            for (boolean first = true; bench.engine.outcome().isRunning(); first = false) {
+                long before = processorNanos();
+                bench.engine.step(1);
+                double took = (processorNanos() - before) / 1e6;
+                if (round >= 0) {
+                    (first ? plans : steps).add(took);
+                }
+            }
+        }
+        print("step", steps);
+        print("first plan", plans);
+    }
+
+    private static void print(String what, List<Double> took) {
+        Collections.sort(took);
+        double most = took.get((int) (0.99 * took.size()));
+        System.out.printf(
+                "%s, %d times: median %.2f ms, 99 %% %.2f ms%n", what, took.size(), took.get(took.size() / 2), most);
+    }
+
+    private static long processorNanos() {
+        return ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime();
     }
 }
