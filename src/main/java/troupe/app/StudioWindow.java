@@ -25,6 +25,7 @@ import javax.swing.WindowConstants;
 import troupe.app.canvas.Canvas;
 import troupe.app.command.CommandSearch;
 import troupe.app.command.Commands;
+import troupe.app.document.SceneEdits;
 import troupe.app.look.Look;
 import troupe.app.look.Scaling;
 import troupe.app.look.SwingTheme;
@@ -49,7 +50,6 @@ import troupe.app.solid.Eye;
 import troupe.app.solid.SolidDeck;
 import troupe.app.solid.SolidMode;
 import troupe.app.solid.SolidView;
-import troupe.app.tool.Hits;
 import troupe.app.tool.Tool;
 import troupe.app.tour.TourGuide;
 import troupe.geometry.Box;
@@ -392,10 +392,7 @@ final class StudioWindow {
     }
 
     private void zoomTo(String id) {
-        session.document()
-                .shown()
-                .element(id)
-                .flatMap(Hits::outline)
+        SceneEdits.outline(session.document().shown(), id)
                 .ifPresent(outline -> zoomTo(outline.bounds().grown(1.5)));
     }
 

@@ -6,7 +6,9 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import troupe.run.Frames;
 import troupe.scene.Crowd;
 import troupe.scene.CrowdGroup;
@@ -62,15 +64,28 @@ public final class CrowdPainter {
         this.trails = trails && shown.stream().mapToInt(Shown::count).sum() <= MOST_TRAILS;
     }
 
+    /** Returns the colour of each group by its id, as {@link #DEEPEST} shows them. */
+    public static Map<String, Color> colours(Crowd crowd) {
+        Map<String, Color> all = new LinkedHashMap<>();
+        int[] number = new int[1];
+        crowd.groups().forEach(group -> collect(group, null, number, all));
+        return all;
+    }
+
+    private static void collect(CrowdGroup group, Color above, int[] number, Map<String, Color> all) {
+        Color colour = own(group, above, number);
+        all.put(group.id(), colour);
+        group.parts().forEach(part -> collect(part, colour, number, all));
+    }
+
+    private static Color own(CrowdGroup group, Color above, int[] number) {
+        Color plain =
+                above != null && group.colour().isEmpty() ? above : new Color(COLOURS[number[0]++ % COLOURS.length]);
+        return Shapes.colour(group.colour(), plain);
+    }
+
     private void collect(CrowdGroup group, int depth, int level, Color above, int[] number) {
-        Color own = above;
-        if (depth <= level || above == null) {
-            Color plain = above != null && group.colour().isEmpty()
-                    ? above
-                    : new Color(COLOURS[number[0]++ % COLOURS.length]);
-            own = Shapes.colour(group.colour(), plain);
-        }
-        Color colour = own;
+        Color colour = depth <= level || above == null ? own(group, above, number) : above;
         group.goal().ifPresent(goal -> flags.add(new Flag(goal, colour)));
         group.members().ifPresent(members -> {
             int x = frames.channel(group.id(), "x");

@@ -17,6 +17,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import troupe.scene.Crowd;
 import troupe.scene.Encounter;
 import troupe.scene.Scene;
 
@@ -57,6 +58,10 @@ class ChineseRobotTest extends RobotTest {
                                 .filter(Encounter.class::isInstance)
                                 .flatMap(t -> ((Encounter) t).avatars().stream())
                                 .flatMap(a -> Stream.of(a.id(), a.label())),
+                        scene.tasks().stream()
+                                .filter(Crowd.class::isInstance)
+                                .flatMap(t -> ((Crowd) t).allGroups())
+                                .flatMap(g -> Stream.of(g.id(), g.label())),
                         Stream.of(scene.title(), folder.toString()))
                 .flatMap(s -> s)
                 .forEach(name -> words(name).forEach(own::add));

@@ -12,6 +12,8 @@ import java.util.Set;
 import java.util.TreeSet;
 import org.junit.jupiter.api.Test;
 import troupe.app.document.Arranging;
+import troupe.app.document.CrowdEdits;
+import troupe.app.document.Parts;
 import troupe.app.document.Pasting;
 import troupe.app.document.SceneDocument;
 import troupe.app.document.SceneEdits;
@@ -20,7 +22,9 @@ import troupe.app.look.Look;
 import troupe.app.look.Texts;
 import troupe.app.property.Properties;
 import troupe.app.property.Property;
+import troupe.app.tool.DrawAvatarTool;
 import troupe.app.tool.DrawBoxTool;
+import troupe.app.tool.DrawGroupTool;
 import troupe.app.tool.DrawJourneyTool;
 import troupe.app.tool.DrawPolygonTool;
 import troupe.app.tool.Editing;
@@ -34,6 +38,7 @@ import troupe.geometry.Polygon;
 import troupe.paint.Theme;
 import troupe.paint.Viewport;
 import troupe.scene.Ability;
+import troupe.scene.Crowd;
 import troupe.scene.Element;
 import troupe.scene.Journey;
 import troupe.scene.Scene;
@@ -67,6 +72,8 @@ class RandomEditsTest {
                 new DrawBoxTool(editing, true),
                 new DrawJourneyTool(editing, false),
                 new DrawJourneyTool(editing, true),
+                new DrawAvatarTool(editing),
+                new DrawGroupTool(editing),
                 new PlaceTool(editing, Hits.End.START),
                 new PlaceTool(editing, Hits.End.GOAL));
     }
@@ -137,7 +144,7 @@ class RandomEditsTest {
             } else {
                 drag(tool, from);
             }
-        } else if (tool instanceof DrawPolygonTool) {
+        } else if (tool instanceof DrawPolygonTool || tool instanceof DrawAvatarTool) {
             for (int i = random.nextInt(4) + 2; i >= 0; i--) {
                 Pointer corner = anywhere(1);
                 tool.press(corner);
@@ -149,16 +156,42 @@ class RandomEditsTest {
             tool.finish();
         } else {
             drag(tool, anywhere(1));
+            if (tool instanceof DrawGroupTool && random.nextBoolean()) {
+                drag(tool, anywhere(1));
+            }
+            tool.finish();
         }
         tool.cancel();
         kinds.add(tool.key());
     }
 
+    private List<String> parts() {
+        return document.scene().tasks().stream().flatMap(Parts::of).toList();
+    }
+
+    /** Joins two groups of a crowd, or parts one, or takes a part away. */
+    private Scene regrouped(Scene scene) {
+        List<String> parts = parts();
+        if (parts.isEmpty()) {
+            return scene;
+        }
+        String id = parts.get(random.nextInt(parts.size()));
+        List<String> two = List.of(id, parts.get(random.nextInt(parts.size())));
+        if (!two.get(1).equals(id) && CrowdEdits.canJoin(scene, two)) {
+            Crowd crowd = (Crowd) Parts.task(scene, id).orElseThrow();
+            return CrowdEdits.joined(scene, two, CrowdEdits.freeId(scene, crowd), "");
+        }
+        boolean family =
+                Parts.group(scene, id).filter(g -> !g.parts().isEmpty()).isPresent();
+        return family ? CrowdEdits.parted(scene, id) : SceneEdits.removed(scene, List.of(id));
+    }
+
     private void changeProperty() {
-        List<Element> all = document.scene().elements().toList();
+        List<String> all = new ArrayList<>(parts());
+        document.scene().elements().map(Element::id).forEach(all::add);
         List<String> ids = new ArrayList<>();
         if (random.nextInt(6) > 0 && !all.isEmpty()) {
-            ids.add(all.get(random.nextInt(all.size())).id());
+            ids.add(all.get(random.nextInt(all.size())));
         }
         List<Property> properties = Properties.of(document.scene(), ids).stream()
                 .flatMap(g -> g.properties().stream())
@@ -182,7 +215,7 @@ class RandomEditsTest {
         Scene scene = document.scene();
         Arranging.Side side = Arranging.Side.values()[random.nextInt(6)];
         Arranging.Order order = Arranging.Order.values()[random.nextInt(4)];
-        int kind = random.nextInt(7);
+        int kind = random.nextInt(8);
         Scene changed =
                 switch (kind) {
                     case 0 -> Arranging.aligned(scene, ids, side);
@@ -196,6 +229,7 @@ class RandomEditsTest {
                                 .scene();
                     case 4 -> SceneEdits.removed(scene, ids.stream().limit(3).toList());
                     case 5 -> SceneEdits.shifted(scene, ids, 0.05, -0.5);
+                    case 6 -> regrouped(scene);
                     default -> preferred(scene);
                 };
         document.commit("command " + kind, changed);
@@ -243,8 +277,17 @@ class RandomEditsTest {
             assertEquals(files.get(EDITS), SceneXml.write(document.scene()), "seed " + SEED);
             document.history().jump(EDITS / 2);
             assertEquals(files.get(EDITS / 2), SceneXml.write(document.scene()), "seed " + SEED);
-            for (String kind :
-                    List.of("select", "polygon", "ditch", "rectangle", "circle", "journey", "actor", "start")) {
+            for (String kind : List.of(
+                    "select",
+                    "polygon",
+                    "ditch",
+                    "rectangle",
+                    "circle",
+                    "journey",
+                    "actor",
+                    "avatar",
+                    "group",
+                    "start")) {
                 assertTrue(kinds.contains(kind), kind + " not among " + kinds);
             }
             assertTrue(kinds.size() > 30, "edits of all kinds: " + kinds);

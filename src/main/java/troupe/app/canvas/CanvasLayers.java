@@ -13,6 +13,7 @@ import troupe.app.plan.Views;
 import troupe.app.problem.BlockagePainter;
 import troupe.app.problem.Findings;
 import troupe.app.session.Session;
+import troupe.app.tool.PartPainter;
 import troupe.app.tool.SelectionPainter;
 import troupe.app.tool.Tool;
 import troupe.geometry.Pose;
@@ -181,6 +182,7 @@ final class CanvasLayers implements AutoCloseable {
                 findings.blockage(),
                 session.selection().ids(),
                 session.document().shown(),
+                session.document().task(),
                 tool.get() == null ? "" : tool.get(),
                 tool.get() == null ? "" : tool.get().stamp());
     }
@@ -235,6 +237,7 @@ final class CanvasLayers implements AutoCloseable {
         findings.blockage()
                 .ifPresent(b ->
                         BlockagePainter.paint(g, view, look, session.document().shown(), b));
+        session.document().shownTask().ifPresent(task -> PartPainter.paint(g, view, look, task, session.selection()));
         SelectionPainter.paint(g, view, look, session.document().shown(), session.selection());
         if (tool.get() != null) {
             tool.get().paint(g, view);

@@ -2,17 +2,22 @@ package troupe.app.document;
 
 import java.util.Collection;
 import java.util.List;
+import java.util.Optional;
+import java.util.function.BinaryOperator;
 import java.util.function.UnaryOperator;
 import troupe.geometry.Point;
 import troupe.geometry.Polygon;
 import troupe.geometry.Pose;
+import troupe.scene.CrowdGroup;
 import troupe.scene.Ditch;
 import troupe.scene.Element;
+import troupe.scene.Encounter;
 import troupe.scene.Journey;
 import troupe.scene.Obstacle;
 import troupe.scene.Place;
 import troupe.scene.Preferences;
 import troupe.scene.Scene;
+import troupe.scene.Task;
 
 /** Makes changed scenes out of scenes: what the tools and the inspector do. Pure; safe on any thread. */
 public final class SceneEdits {
@@ -27,9 +32,32 @@ public final class SceneEdits {
                 changed = changed.with(obstacle.withOutline(obstacle.outline().shifted(dx, dy)));
             } else if (element instanceof Ditch ditch) {
                 changed = changed.with(ditch.withOutline(ditch.outline().shifted(dx, dy)));
+            } else {
+                changed = shiftedPart(changed, id, dx, dy);
             }
         }
         return changed;
+    }
+
+    /** Shifts where the members of a group stand at first, or where an avatar starts. */
+    private static Scene shiftedPart(Scene scene, String id, double dx, double dy) {
+        Scene changed = Parts.withMembers(
+                scene,
+                id,
+                m -> new CrowdGroup.Members(
+                        m.count(), rounded(m.spawn().shifted(dx, dy)), m.floor(), m.radius(), m.speed()));
+        return Parts.withAvatar(changed, id, avatar -> Mark.start(avatar)
+                .map(p -> Mark.starting(avatar, new Place(rounded(p.x() + dx), rounded(p.y() + dy), p.z())))
+                .orElse(avatar));
+    }
+
+    /** Returns the outline of an obstacle, a ditch or a group's first place; empty for anything else. */
+    public static Optional<Polygon> outline(Scene scene, String id) {
+        Element element = scene.element(id).orElse(null);
+        if (element instanceof Obstacle obstacle) {
+            return Optional.of(obstacle.outline());
+        }
+        return element instanceof Ditch ditch ? Optional.of(ditch.outline()) : Parts.spawn(scene, id);
     }
 
     /** Returns the outline with its area centroid at {@code centre}, rounded to a tenth of a millimetre. */
@@ -80,14 +108,23 @@ public final class SceneEdits {
                 changed = changed.with(obstacle.withOutline(change.apply(obstacle.outline())));
             } else if (element instanceof Ditch ditch) {
                 changed = changed.with(ditch.withOutline(change.apply(ditch.outline())));
+            } else {
+                changed = Parts.withMembers(
+                        changed,
+                        id,
+                        m -> new CrowdGroup.Members(
+                                m.count(), change.apply(m.spawn()), m.floor(), m.radius(), m.speed()));
             }
         }
         return changed;
     }
 
-    /** Returns the name to show of an element, its id if the scene does not hold it. */
+    /** Returns the name to show of an element or a part of a task, its id if the scene does not hold it. */
     public static String name(Scene scene, String id) {
-        return scene.element(id).map(Element::name).orElse(id);
+        return scene.element(id)
+                .map(Element::name)
+                .or(() -> Parts.name(scene, id))
+                .orElse(id);
     }
 
     /** Returns a length in metres rounded to a tenth of a millimetre. */
@@ -95,8 +132,13 @@ public final class SceneEdits {
         return Math.rint(metres * 1e4) / 1e4;
     }
 
-    /** Returns the scene without the elements of these ids. */
-    public static Scene removed(Scene scene, Collection<String> ids) {
+    /** Returns the scene without the elements, and the parts of tasks, of these ids. */
+    public static Scene removed(Scene whole, Collection<String> ids) {
+        Scene scene = Parts.removed(
+                whole,
+                ids.stream()
+                        .filter(id -> !ids.contains(id.replaceAll("/.*", "")))
+                        .toList());
         return new Scene(
                 scene.title(),
                 scene.world(),
@@ -112,12 +154,32 @@ public final class SceneEdits {
 
     /** Returns the scene with the journey beginning elsewhere. */
     public static Scene startingAt(Scene scene, Journey journey, Place place) {
-        return scene.with(journey.between(place, journey.goal()));
+        return startingAt(scene, journey.id(), place);
     }
 
     /** Returns the scene with the journey ending elsewhere. */
     public static Scene endingAt(Scene scene, Journey journey, Place place) {
-        return scene.with(journey.between(journey.start(), place));
+        return endingAt(scene, journey.id(), place);
+    }
+
+    /** Returns the scene with a journey or an encounter beginning elsewhere; another task stays. */
+    public static Scene startingAt(Scene scene, String task, Place place) {
+        return between(scene, task, (start, goal) -> place, (start, goal) -> goal);
+    }
+
+    /** Returns the scene with a journey or an encounter ending elsewhere; another task stays. */
+    public static Scene endingAt(Scene scene, String task, Place place) {
+        return between(scene, task, (start, goal) -> start, (start, goal) -> place);
+    }
+
+    private static Scene between(Scene scene, String id, BinaryOperator<Place> start, BinaryOperator<Place> goal) {
+        Task task = scene.task(id).orElse(null);
+        if (task instanceof Journey j) {
+            return scene.with(j.between(start.apply(j.start(), j.goal()), goal.apply(j.start(), j.goal())));
+        }
+        return task instanceof Encounter e
+                ? scene.with(e.between(start.apply(e.start(), e.goal()), goal.apply(e.start(), e.goal())))
+                : scene;
     }
 
     /** Returns the scene with other preferences for the journey. */

@@ -8,7 +8,10 @@ import java.util.Set;
 import troupe.scene.Element;
 import troupe.scene.Scene;
 
-/** Holds the ids of the elements that are selected, in the order in which they were. Belongs to the event thread. */
+/**
+ * Holds the ids of the elements, and of the parts of tasks ({@link Parts}), that are selected, in the order in which they
+ * were. Belongs to the event thread.
+ */
 public final class Selection {
     private final Listeners<Selection> listeners = new Listeners<>();
     private Set<String> ids = new LinkedHashSet<>();
@@ -59,6 +62,6 @@ public final class Selection {
 
     /** Takes out what the scene no longer holds. */
     public void retain(Scene scene) {
-        set(ids.stream().filter(id -> scene.element(id).isPresent()).toList());
+        set(ids.stream().filter(id -> Parts.isThere(scene, id)).toList());
     }
 }

@@ -26,6 +26,7 @@ import troupe.paint.Tone;
 /** Lists what the scene holds: layers, actors, obstacles, tasks, problems. A click selects. */
 public final class OutlinePanel extends Panel {
     private static final int ROW = 26;
+    private static final int INDENT = 14;
     private final DefaultListModel<OutlineRow> rows = new DefaultListModel<>();
     private final JList<OutlineRow> list = new JList<>(rows);
     private final transient Consumer<String> zoom;
@@ -175,14 +176,17 @@ public final class OutlinePanel extends Panel {
                 g.setColor(look().color(Tone.ACCENT));
                 g.drawRect(0, 0, getWidth() - 1, getHeight() - 1);
             }
+            g.translate(look().px(row.depth() * INDENT), 0);
             paintSwatch(g, row.color(), row.round());
+            g.translate(-look().px(row.depth() * INDENT), 0);
             g.setFont(look().font());
             g.setColor(look().color(Tone.DIM));
             int noteWidth = g.getFontMetrics().stringWidth(row.note());
             g.drawString(row.note(), getWidth() - look().px(14) - noteWidth, base);
             g.setColor(look().color(Tone.TEXT));
-            int room = getWidth() - noteWidth - look().px(14 + 8 + 34);
-            g.drawString(Ellipsis.fit(row.name(), g.getFontMetrics(), room), look().px(34), base);
+            int left = 34 + row.depth() * INDENT;
+            int room = getWidth() - noteWidth - look().px(14 + 8 + left);
+            g.drawString(Ellipsis.fit(row.name(), g.getFontMetrics(), room), look().px(left), base);
             g.dispose();
         }
 

@@ -8,6 +8,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.stream.IntStream;
+import troupe.app.document.Mark;
+import troupe.app.document.Parts;
 import troupe.app.document.SceneEdits;
 import troupe.app.look.Look;
 import troupe.app.look.Texts;
@@ -15,10 +17,15 @@ import troupe.app.plan.Plan;
 import troupe.app.plan.Views;
 import troupe.app.session.OverlayChoice;
 import troupe.app.session.Session;
+import troupe.paint.CrowdPainter;
 import troupe.paint.Theme;
 import troupe.paint.Tone;
 import troupe.scene.Actor;
+import troupe.scene.Avatar;
+import troupe.scene.Crowd;
+import troupe.scene.CrowdGroup;
 import troupe.scene.Ditch;
+import troupe.scene.Encounter;
 import troupe.scene.Obstacle;
 import troupe.scene.Problem;
 import troupe.scene.Scene;
@@ -30,11 +37,21 @@ import troupe.scene.Task;
  *
  * @param ids what it stands for, empty for a heading or a layer
  * @param hint what to do about a problem
+ * @param depth how far it stands in: 0, more for the parts of a task
  */
 record OutlineRow(
-        Kind kind, List<String> ids, String name, String note, Color color, boolean round, int layer, String hint) {
+        Kind kind,
+        List<String> ids,
+        String name,
+        String note,
+        Color color,
+        boolean round,
+        int layer,
+        String hint,
+        int depth) {
     private static final int GROUP = 3;
     private static final int LAYERS = 6;
+    private static final int PARTS = 40;
 
     /** What a row stands for. */
     enum Kind {
@@ -67,10 +84,48 @@ record OutlineRow(
             boolean shown = task.id().equals(session.document().task());
             Color color = look.color(shown ? Tone.ACCENT : Tone.DIM);
             String kind = look.texts().get("outline." + task.kind(), task.kind());
-            rows.add(new OutlineRow(Kind.TASK, List.of(task.id()), task.name(), kind, color, false, 0, ""));
+            rows.add(new OutlineRow(Kind.TASK, List.of(task.id()), task.name(), kind, color, false, 0, "", 0));
+            if (shown) {
+                addParts(rows, task, look);
+            }
         }
         addProblems(rows, session, look);
         return rows;
+    }
+
+    /** Adds the avatars of an encounter, or the groups of a crowd, each below the one it belongs to. */
+    private static void addParts(List<OutlineRow> rows, Task task, Look look) {
+        if (task instanceof Encounter encounter) {
+            encounter.avatars().stream().limit(PARTS).forEach(avatar -> {
+                String note = avatar.motion() instanceof Avatar.Pointer
+                        ? look.text("outline.steered")
+                        : avatar.motion() instanceof Avatar.Recording
+                                ? look.text("outline.recorded")
+                                : look.texts()
+                                        .format(
+                                                "outline.way",
+                                                Mark.heads(avatar).size());
+                Color own = look.color(avatar.kind() == Avatar.Kind.CERTAIN ? Tone.SIDESTEP : Tone.MOVE);
+                rows.add(part(Parts.id(task.id(), avatar.id()), avatar.name(), note, own, 1));
+            });
+        } else if (task instanceof Crowd crowd) {
+            Map<String, Color> colours = CrowdPainter.colours(crowd);
+            crowd.groups().forEach(group -> addGroup(rows, task, group, colours, 1, look));
+        }
+    }
+
+    private static void addGroup(
+            List<OutlineRow> rows, Task task, CrowdGroup group, Map<String, Color> colours, int depth, Look look) {
+        String note = group.members().isPresent()
+                ? look.texts().format("outline.people", group.members().get().count())
+                : look.texts().format("outline.groups", group.parts().size());
+        Color own = readable(colours.get(group.id()), look);
+        rows.add(part(Parts.id(task.id(), group.id()), Parts.name(group), note, own, depth));
+        group.parts().forEach(p -> addGroup(rows, task, p, colours, depth + 1, look));
+    }
+
+    private static OutlineRow part(String id, String name, String note, Color color, int depth) {
+        return new OutlineRow(Kind.THING, List.of(id), name, note, color, true, 0, "", depth);
     }
 
     private static void addLayers(List<OutlineRow> rows, Session session, Look look) {
@@ -176,7 +231,8 @@ record OutlineRow(
                     look.color(Tone.SKELETON),
                     true,
                     0,
-                    ""));
+                    "",
+                    0));
         }
         for (Problem problem : problems) {
             Tone tone = problem.severity() == Severity.ERROR ? Tone.MOVE : Tone.VAULT;
@@ -184,19 +240,19 @@ record OutlineRow(
             String hint = PlanWords.problem(problem, look.texts());
             String message = look.texts().tell(problem.message());
             String name = ids.isEmpty() ? message : problem.element() + ": " + message;
-            rows.add(new OutlineRow(Kind.PROBLEM, ids, name, "", look.color(tone), true, 0, hint));
+            rows.add(new OutlineRow(Kind.PROBLEM, ids, name, "", look.color(tone), true, 0, hint, 0));
         }
     }
 
     private static OutlineRow heading(Look look, String key) {
-        return new OutlineRow(Kind.HEADING, List.of(), look.text(key), "", look.color(Tone.DIM), false, 0, "");
+        return new OutlineRow(Kind.HEADING, List.of(), look.text(key), "", look.color(Tone.DIM), false, 0, "", 0);
     }
 
     private static OutlineRow layer(String name, String note, Color color, int layer) {
-        return new OutlineRow(Kind.LAYER, List.of(), name, note, color, false, layer, "");
+        return new OutlineRow(Kind.LAYER, List.of(), name, note, color, false, layer, "", 0);
     }
 
     private static OutlineRow thing(List<String> ids, String name, String note, Color color, boolean round) {
-        return new OutlineRow(Kind.THING, ids, name, note, color, round, 0, "");
+        return new OutlineRow(Kind.THING, ids, name, note, color, round, 0, "", 0);
     }
 }

@@ -12,6 +12,7 @@ import java.util.Optional;
 import javax.swing.JComponent;
 import javax.swing.JPopupMenu;
 import javax.swing.JRadioButtonMenuItem;
+import troupe.app.document.Parts;
 import troupe.app.document.SceneEdits;
 import troupe.app.look.Entry;
 import troupe.app.look.FlatButton;
@@ -51,7 +52,7 @@ final class PropertiesSection extends Panel {
     private List<String> ids() {
         Scene scene = session().document().shown();
         return session().selection().ids().stream()
-                .filter(id -> scene.element(id).isPresent())
+                .filter(id -> Parts.isThere(scene, id))
                 .toList();
     }
 
@@ -229,7 +230,7 @@ final class PropertiesSection extends Panel {
 
     private void commit(Property property, List<String> ids, String text) {
         Scene scene = session().document().scene();
-        if (ids.stream().anyMatch(id -> scene.element(id).isEmpty())) {
+        if (!ids.stream().allMatch(id -> Parts.isThere(scene, id))) {
             return;
         }
         Optional<String> wrong = property.wrong(scene, ids, text);

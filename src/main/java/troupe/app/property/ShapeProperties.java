@@ -1,5 +1,6 @@
 package troupe.app.property;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BiFunction;
@@ -10,7 +11,6 @@ import troupe.app.look.Texts;
 import troupe.geometry.Point;
 import troupe.geometry.Polygon;
 import troupe.scene.Ditch;
-import troupe.scene.Element;
 import troupe.scene.Obstacle;
 import troupe.scene.Scene;
 
@@ -20,13 +20,19 @@ final class ShapeProperties {
 
     private ShapeProperties() {}
 
-    static List<Property> all() {
+    /** Lists where an outline lies, how large it is, and how it is turned. */
+    static List<Property> placing() {
         return List.of(
                 position("x", "position", Point::x, (p, v) -> new Point(v, p.y())),
                 position("y", "position", Point::y, (p, v) -> new Point(p.x(), v)),
                 size("width", true),
                 size("across", false),
-                turn(),
+                turn());
+    }
+
+    static List<Property> all() {
+        List<Property> all = new ArrayList<>(placing());
+        all.addAll(List.of(
                 number(
                         "bottom",
                         "m",
@@ -44,7 +50,8 @@ final class ShapeProperties {
                 depth(),
                 mass(),
                 movable(),
-                colour());
+                colour()));
+        return all;
     }
 
     private static Obstacle with(
@@ -53,10 +60,7 @@ final class ShapeProperties {
     }
 
     private static Optional<Polygon> outline(Scene scene, String id) {
-        Element element = scene.element(id).orElse(null);
-        return element instanceof Obstacle o
-                ? Optional.of(o.outline())
-                : element instanceof Ditch d ? Optional.of(d.outline()) : Optional.empty();
+        return SceneEdits.outline(scene, id);
     }
 
     private static Optional<Obstacle> obstacle(Scene scene, String id) {

@@ -38,6 +38,9 @@ final class TaskProperties {
 
     private static final Pattern RELATION = Pattern.compile("(relation\\.\\d+)\\..*");
 
+    /** Settings that stand with the places of the task, or with the preferences of its actor. */
+    private static final List<String> ELSEWHERE = List.of("start", "goal", "manipulation", "headings");
+
     private TaskProperties() {}
 
     private static List<String> words(Enum<?>[] values) {
@@ -60,8 +63,7 @@ final class TaskProperties {
 
     static List<Property> of(Scene scene, Task task) {
         List<Property> all = new ArrayList<>();
-        boolean journey = task instanceof Journey;
-        if (journey) {
+        if (!(task instanceof Crowd)) {
             all.add(actor(scene));
             for (boolean start : new boolean[] {true, false}) {
                 all.add(coordinate(start, "x"));
@@ -73,9 +75,7 @@ final class TaskProperties {
             boolean elsewhere = key.equals("cell")
                     || ActorProperties.isOfActor(key)
                     || key.startsWith("preference.")
-                    || journey
-                            && List.of("start", "goal", "manipulation", "headings")
-                                    .contains(key);
+                    || ELSEWHERE.contains(key);
             if (!elsewhere) {
                 all.add(setting(key, choices(scene, task, key)));
             }
@@ -108,17 +108,16 @@ final class TaskProperties {
                 (scene, id, text) -> Settings.apply(scene, id, key, text.strip().replace('\u2212', '-')));
     }
 
-    private static Optional<Journey> journey(Scene scene, String id) {
-        return scene.task(id).map(t -> t instanceof Journey j ? j : null);
-    }
-
-    private static Place place(Journey journey, boolean start) {
-        return start ? journey.start() : journey.goal();
+    private static Optional<Place> place(Scene scene, String id, boolean start) {
+        Task task = scene.task(id).orElse(null);
+        if (task instanceof Journey j) {
+            return Optional.of(start ? j.start() : j.goal());
+        }
+        return task instanceof Encounter e ? Optional.of(start ? e.start() : e.goal()) : Optional.empty();
     }
 
     private static Scene with(Scene scene, String id, boolean start, Place place) {
-        Journey journey = journey(scene, id).orElseThrow();
-        return start ? SceneEdits.startingAt(scene, journey, place) : SceneEdits.endingAt(scene, journey, place);
+        return start ? SceneEdits.startingAt(scene, id, place) : SceneEdits.endingAt(scene, id, place);
     }
 
     private static String end(boolean start) {
@@ -131,12 +130,10 @@ final class TaskProperties {
                 end(start),
                 "m",
                 List.of(),
-                (scene, id) -> journey(scene, id)
-                        .map(j -> place(j, start))
-                        .map(p -> Typed.text(axis.equals("x") ? p.x() : p.y(), 2)),
+                (scene, id) -> place(scene, id, start).map(p -> Typed.text(axis.equals("x") ? p.x() : p.y(), 2)),
                 (scene, id, text) -> {
                     double v = Typed.number(text, Typed.ANY);
-                    Place p = place(journey(scene, id).orElseThrow(), start);
+                    Place p = place(scene, id, start).orElseThrow();
                     return with(
                             scene,
                             id,
@@ -149,11 +146,10 @@ final class TaskProperties {
         return Property.typed(
                 end(start) + ".z",
                 "m",
-                (scene, id) -> journey(scene, id)
-                        .map(j -> place(j, start))
-                        .map(p -> p.z().isPresent() ? Typed.text(p.z().getAsDouble(), 2) : ""),
+                (scene, id) ->
+                        place(scene, id, start).map(p -> p.z().isPresent() ? Typed.text(p.z().getAsDouble(), 2) : ""),
                 (scene, id, text) -> {
-                    Place p = place(journey(scene, id).orElseThrow(), start);
+                    Place p = place(scene, id, start).orElseThrow();
                     OptionalDouble z =
                             text.isBlank() ? OptionalDouble.empty() : OptionalDouble.of(Typed.number(text, Typed.ANY));
                     return with(scene, id, start, new Place(p.x(), p.y(), z));
@@ -167,7 +163,15 @@ final class TaskProperties {
                 "actor",
                 "",
                 ids,
-                (now, id) -> journey(now, id).map(Journey::actor),
-                (now, id, text) -> now.with(journey(now, id).orElseThrow().withActor(text)));
+                (now, id) -> now.task(id)
+                        .map(t -> t instanceof Journey j ? j.actor() : t instanceof Encounter e ? e.actor() : null),
+                (now, id, text) -> acted(now, now.task(id).orElseThrow(), text));
+    }
+
+    private static Scene acted(Scene scene, Task task, String actor) {
+        if (task instanceof Journey journey) {
+            return scene.with(journey.withActor(actor));
+        }
+        return task instanceof Encounter encounter ? scene.with(encounter.withActor(actor)) : scene;
     }
 }

@@ -7,38 +7,37 @@ import troupe.app.document.SceneEdits;
 import troupe.app.look.Texts;
 import troupe.geometry.Point;
 import troupe.geometry.Polygon;
-import troupe.scene.Element;
 import troupe.scene.Scene;
 
 /** Moves one corner of an outline, which may be a new one on an edge. */
 final class CornerGesture implements Gesture {
     private final Editing editing;
     private final Scene scene;
-    private final Element element;
+    private final String id;
     private final Polygon outline;
     private final int corner;
     private final boolean inserted;
 
     /** Makes the gesture of a corner that there is. */
-    CornerGesture(Editing editing, Element element, int corner) {
-        this(editing, element, Hits.outline(element).orElseThrow(), corner, false);
+    CornerGesture(Editing editing, String id, int corner) {
+        this(editing, id, SceneEdits.outline(editing.document().scene(), id).orElseThrow(), corner, false);
     }
 
-    private CornerGesture(Editing editing, Element element, Polygon outline, int corner, boolean inserted) {
+    private CornerGesture(Editing editing, String id, Polygon outline, int corner, boolean inserted) {
         this.editing = editing;
         this.scene = editing.document().scene();
-        this.element = element;
+        this.id = id;
         this.outline = outline;
         this.corner = corner;
         this.inserted = inserted;
     }
 
     /** Makes the gesture that inserts a corner on the edge after corner {@code edge}. */
-    static CornerGesture inserting(Editing editing, Element element, int edge, Point at) {
-        Polygon outline = Hits.outline(element).orElseThrow();
+    static CornerGesture inserting(Editing editing, String id, int edge, Point at) {
+        Polygon outline = SceneEdits.outline(editing.document().scene(), id).orElseThrow();
         Point rounded = new Point(SceneEdits.rounded(at.x()), SceneEdits.rounded(at.y()));
         Polygon with = Outlines.withCornerAfter(outline, edge, rounded);
-        return new CornerGesture(editing, element, with, edge + 1, true);
+        return new CornerGesture(editing, id, with, edge + 1, true);
     }
 
     /** Returns the number of the corner. */
@@ -49,8 +48,7 @@ final class CornerGesture implements Gesture {
     @Override
     public Outcome at(Pointer pointer) {
         Point anchor = new Point(outline.x(corner), outline.y(corner));
-        Snap snap = new Snapping(
-                        scene, List.of(element.id()), editing.view().get().scale())
+        Snap snap = new Snapping(scene, List.of(id), editing.view().get().scale())
                 .place(pointer.at(), Optional.of(anchor), pointer.shift(), pointer.alt());
         return outcome(Outlines.withCorner(outline, corner, snap.at()), snap.at(), snap.guide());
     }
@@ -61,14 +59,14 @@ final class CornerGesture implements Gesture {
     }
 
     private Outcome outcome(Polygon changed, Point at, Optional<Guide> guide) {
-        Scene bent = scene.with(SceneEdits.reshaped(element, changed));
+        Scene bent = SceneEdits.reshaped(scene, List.of(id), outline -> changed);
         String text = Texts.number(at.x(), 2) + ", " + Texts.number(at.y(), 2) + " m";
         return new Outcome(bent, at, guide, text, ShapeCheck.wrong(changed, scene.world(), editing.texts()));
     }
 
     @Override
     public String name() {
-        return editing.texts().format(inserted ? "edit.insert" : "edit.corner", element.name());
+        return editing.texts().format(inserted ? "edit.insert" : "edit.corner", SceneEdits.name(scene, id));
     }
 
     @Override

@@ -3,6 +3,7 @@ package troupe.app.tool;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import troupe.app.document.SceneEdits;
 import troupe.geometry.Box;
 import troupe.geometry.Point;
 import troupe.geometry.Polygon;
@@ -41,7 +42,7 @@ record Handles(Optional<Polygon> corners, Box box) {
     /** Finds the handles of a selection; none where nothing is selected that has an outline, or all is too small. */
     static Optional<Handles> of(Scene scene, List<String> ids, Viewport view) {
         List<Polygon> outlines = new ArrayList<>();
-        ids.forEach(id -> scene.element(id).flatMap(Hits::outline).ifPresent(outlines::add));
+        ids.forEach(id -> SceneEdits.outline(scene, id).ifPresent(outlines::add));
         if (outlines.isEmpty()) {
             return Optional.empty();
         }

@@ -4,16 +4,18 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import troupe.app.document.Mark;
+import troupe.app.document.Parts;
 import troupe.geometry.Box;
 import troupe.geometry.Point;
 import troupe.geometry.Polygon;
 import troupe.paint.Viewport;
 import troupe.scene.Ditch;
 import troupe.scene.Element;
-import troupe.scene.Journey;
 import troupe.scene.Obstacle;
 import troupe.scene.Place;
 import troupe.scene.Scene;
+import troupe.scene.Task;
 
 /** Finds what lies under the pointer, nearest to the eye first. Pure. */
 public final class Hits {
@@ -30,18 +32,27 @@ public final class Hits {
         GOAL
     }
 
-    /** Finds the end of a journey at a pixel, the goal before the start. */
-    public static Optional<End> end(Journey journey, Viewport view, double px, double py) {
-        if (near(journey.goal(), view, px, py)) {
-            return Optional.of(End.GOAL);
-        }
-        return near(journey.start(), view, px, py) ? Optional.of(End.START) : Optional.empty();
-    }
-
     private static boolean near(Place place, Viewport view, double px, double py) {
         double dx = view.px(place.x()) - px;
         double dy = view.py(place.y()) - py;
         return dx * dx + dy * dy <= REACH * REACH;
+    }
+
+    /** Finds the place of a task at a pixel; of several the one that lies above the others, the last. */
+    public static Optional<Mark> mark(Task task, Viewport view, double px, double py) {
+        Mark found = null;
+        for (Mark mark : Mark.of(task)) {
+            found = near(mark.place(), view, px, py) ? mark : found;
+        }
+        return Optional.ofNullable(found);
+    }
+
+    /** Finds the group of a crowd whose members stand at a place at first, the last that does; by its id. */
+    public static Optional<String> spawn(Scene scene, Task task, Point at, double pixel) {
+        return Parts.of(task)
+                .filter(id ->
+                        Parts.spawn(scene, id).filter(o -> covers(o, at, pixel)).isPresent())
+                .reduce((first, last) -> last);
     }
 
     /** Finds the obstacle with the highest top, or else the ditch, at a place; {@code pixel} is the size of one in metres. */

@@ -27,7 +27,7 @@ final class MoveGesture implements Gesture {
         this.ids = editing.selection().ids();
         Handles.of(scene, ids, editing.view().get()).map(Handles::box).ifPresent(box -> corners.add(first(box)));
         for (String id : ids) {
-            scene.element(id).flatMap(Hits::outline).ifPresent(this::addCorners);
+            SceneEdits.outline(scene, id).ifPresent(this::addCorners);
         }
     }
 

@@ -3,13 +3,15 @@ package troupe.app.tool;
 import java.awt.Cursor;
 import java.util.List;
 import java.util.Optional;
+import troupe.app.document.CrowdEdits;
+import troupe.app.document.Parts;
 import troupe.app.document.SceneEdits;
 import troupe.geometry.Point;
-import troupe.scene.Journey;
+import troupe.scene.Crowd;
 import troupe.scene.Place;
 import troupe.scene.Scene;
 
-/** Puts the start or the goal of the journey where the pointer is. */
+/** Puts the start or the goal of the journey or the encounter, or the goals of the crowd, where the pointer is. */
 public final class PlaceTool implements Tool {
     private final Editing editing;
     private final Hits.End end;
@@ -32,11 +34,29 @@ public final class PlaceTool implements Tool {
                 ? snapping.place(pointer.at(), Optional.empty(), false, true).at()
                 : snapping.onGrid(pointer.at()).at();
         Place place = Place.of(at.x(), at.y());
-        return scene.task(editing.document().task()).orElse(null) instanceof Journey journey
-                ? end == Hits.End.START
-                        ? SceneEdits.startingAt(scene, journey, place)
-                        : SceneEdits.endingAt(scene, journey, place)
-                : scene;
+        String task = editing.document().task();
+        if (scene.task(task).orElse(null) instanceof Crowd crowd) {
+            return end == Hits.End.START ? scene : goal(scene, crowd, place);
+        }
+        return end == Hits.End.START
+                ? SceneEdits.startingAt(scene, task, place)
+                : SceneEdits.endingAt(scene, task, place);
+    }
+
+    /** Puts the goal of the groups of a crowd that are selected, or else of all that have one. */
+    private Scene goal(Scene scene, Crowd crowd, Place place) {
+        List<String> selected = editing.selection().ids().stream()
+                .filter(id -> Parts.group(scene, id).isPresent())
+                .toList();
+        List<String> all = crowd.allGroups()
+                .filter(g -> g.goal().isPresent())
+                .map(g -> Parts.id(crowd.id(), g.id()))
+                .toList();
+        Scene changed = scene;
+        for (String id : selected.isEmpty() ? all : selected) {
+            changed = Parts.withGroup(changed, id, g -> CrowdEdits.going(g, Optional.of(place)));
+        }
+        return changed;
     }
 
     @Override

@@ -7,6 +7,7 @@ import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
 import java.util.List;
 import java.util.Optional;
+import troupe.app.document.Mark;
 import troupe.app.document.Outlines;
 import troupe.app.document.SceneEdits;
 import troupe.geometry.Box;
@@ -15,11 +16,11 @@ import troupe.geometry.Polygon;
 import troupe.paint.Tone;
 import troupe.paint.Viewport;
 import troupe.scene.Element;
-import troupe.scene.Journey;
+import troupe.scene.Scene;
 
 /**
  * Selects and edits: a press selects what lies under the pointer, Shift adds or takes away; dragging moves the
- * selection, or the start or the goal of the task; dragging over nothing draws a box that selects what it holds.
+ * selection, or a place of the task ({@link Mark}); dragging over nothing draws a box that selects what it holds.
  * Of what is selected the corners can be dragged; a double click on an edge inserts one; the frame around it
  * scales, and the knob above it turns. Moves snap as {@link Snapping} says.
  */
@@ -46,15 +47,20 @@ public final class SelectTool implements Tool {
         return "select";
     }
 
-    private Optional<Hits.End> end(Pointer pointer) {
+    private Optional<Mark> mark(Pointer pointer) {
         return editing.document()
                 .shownTask()
-                .map(task -> task instanceof Journey j ? j : null)
-                .flatMap(j -> Hits.end(j, editing.view().get(), pointer.px(), pointer.py()));
+                .flatMap(task -> Hits.mark(task, editing.view().get(), pointer.px(), pointer.py()));
     }
 
-    private Optional<Element> element(Pointer pointer) {
-        return Hits.element(editing.document().shown(), pointer.at(), editing.pixel());
+    /** Returns the id of what lies under the pointer: a thing, or where a group of the task stands at first. */
+    private Optional<String> thing(Pointer pointer) {
+        Scene scene = editing.document().shown();
+        return Hits.element(scene, pointer.at(), editing.pixel())
+                .map(Element::id)
+                .or(() -> editing.document()
+                        .shownTask()
+                        .flatMap(task -> Hits.spawn(scene, task, pointer.at(), editing.pixel())));
     }
 
     private Optional<Handles> handles() {
@@ -64,8 +70,14 @@ public final class SelectTool implements Tool {
                 editing.view().get());
     }
 
-    private Optional<Element> single() {
-        return editing.selection().single(editing.document().scene());
+    /** Returns the id of what is selected, if that is one thing. */
+    private Optional<String> single() {
+        List<String> ids = editing.selection().ids();
+        return ids.size() == 1 ? Optional.of(ids.get(0)) : Optional.empty();
+    }
+
+    private Optional<Polygon> outline(Scene scene, Optional<String> id) {
+        return id.flatMap(i -> SceneEdits.outline(scene, i));
     }
 
     @Override
@@ -80,13 +92,13 @@ public final class SelectTool implements Tool {
             return;
         }
         corner = -1;
-        Optional<Hits.End> end = end(pointer);
-        if (end.isPresent()) {
-            gesture = Optional.of(new EndGesture(editing, pointer, end.get()));
-            editing.selection().set(List.of(editing.document().task()));
+        Optional<Mark> mark = mark(pointer);
+        if (mark.isPresent()) {
+            gesture = Optional.of(new MarkGesture(editing, pointer, mark.get()));
+            editing.selection().set(List.of(mark.get().owner()));
             return;
         }
-        Optional<Element> hit = element(pointer);
+        Optional<String> hit = thing(pointer);
         if (hit.isEmpty()) {
             boxing = true;
             if (!pointer.shift()) {
@@ -94,7 +106,7 @@ public final class SelectTool implements Tool {
             }
             return;
         }
-        String id = hit.get().id();
+        String id = hit.get();
         if (pointer.shift()) {
             editing.selection().toggle(id);
         } else if (!editing.selection().contains(id)) {
@@ -119,8 +131,9 @@ public final class SelectTool implements Tool {
                             cornerGesture(new CornerGesture(
                                     editing,
                                     editing.selection().ids().stream()
-                                            .flatMap(id -> editing.document().scene().element(id).stream())
-                                            .filter(e -> Hits.outline(e).isPresent())
+                                            .filter(id -> SceneEdits.outline(
+                                                            editing.document().scene(), id)
+                                                    .isPresent())
                                             .findFirst()
                                             .orElseThrow(),
                                     hold.get().index()));
@@ -147,7 +160,7 @@ public final class SelectTool implements Tool {
     }
 
     private CornerGesture cornerGesture(CornerGesture made) {
-        cornerOf = single().map(Element::id).orElse("");
+        cornerOf = single().orElse("");
         corner = made.corner();
         return made;
     }
@@ -217,20 +230,20 @@ public final class SelectTool implements Tool {
     /** {@inheritDoc} That part is the corner that was pressed last, while its outline has more than three. */
     @Override
     public boolean delete() {
-        Optional<Element> element = single();
-        Optional<Polygon> outline = element.flatMap(Hits::outline);
+        Scene scene = editing.document().scene();
+        Optional<String> id = single();
+        Optional<Polygon> outline = outline(scene, id);
         boolean held = corner >= 0
                 && outline.isPresent()
-                && element.get().id().equals(cornerOf)
+                && id.get().equals(cornerOf)
                 && corner < outline.get().size();
         if (held && outline.get().size() > 3) {
             Polygon without = Outlines.withoutCorner(outline.get(), corner);
             corner = -1;
             editing.document()
                     .commit(
-                            editing.texts()
-                                    .format("edit.uncorner", element.get().name()),
-                            editing.document().scene().with(SceneEdits.reshaped(element.get(), without)));
+                            editing.texts().format("edit.uncorner", SceneEdits.name(scene, id.get())),
+                            SceneEdits.reshaped(scene, List.of(id.get()), before -> without));
         }
         return held;
     }
@@ -255,7 +268,7 @@ public final class SelectTool implements Tool {
                         case SCALE -> frame[hold.get().index()];
                     });
         }
-        boolean over = end(pointer).isPresent() || element(pointer).isPresent();
+        boolean over = mark(pointer).isPresent() || thing(pointer).isPresent();
         return Cursor.getPredefinedCursor(over ? Cursor.MOVE_CURSOR : Cursor.DEFAULT_CURSOR);
     }
 
@@ -267,9 +280,7 @@ public final class SelectTool implements Tool {
         outcome.ifPresent(o -> {
             boolean wrong = o.wrong().isPresent();
             if (wrong) {
-                single().map(Element::id)
-                        .flatMap(o.scene()::element)
-                        .flatMap(Hits::outline)
+                outline(o.scene(), single())
                         .ifPresent(outline -> Sketch.outline(g, view, editing.look(), outline, true));
             }
             Sketch.guide(g, view, editing.look(), o.guide(), o.at());
@@ -281,7 +292,7 @@ public final class SelectTool implements Tool {
     }
 
     private int active() {
-        return single().map(Element::id).orElse("").equals(cornerOf) ? corner : -1;
+        return single().orElse("").equals(cornerOf) ? corner : -1;
     }
 
     private void paintBox(Graphics2D g, Viewport view) {

@@ -1,6 +1,7 @@
 package troupe.app.tool;
 
 import java.awt.Graphics2D;
+import troupe.app.document.SceneEdits;
 import troupe.app.document.Selection;
 import troupe.app.look.Look;
 import troupe.geometry.Polygon;
@@ -16,7 +17,7 @@ public final class SelectionPainter {
     /** Paints the outlines of what is selected in a scene. */
     public static void paint(Graphics2D g, Viewport view, Look look, Scene scene, Selection selection) {
         for (String id : selection.ids()) {
-            scene.element(id).flatMap(Hits::outline).ifPresent(outline -> paint(g, view, look, outline));
+            SceneEdits.outline(scene, id).ifPresent(outline -> paint(g, view, look, outline));
         }
     }
 

@@ -25,7 +25,7 @@ final class TurnGesture implements Gesture {
         this.scene = editing.document().scene();
         this.ids = editing.selection().ids();
         this.middle = ids.size() == 1
-                ? scene.element(ids.get(0)).flatMap(Hits::outline).orElseThrow().centroid()
+                ? SceneEdits.outline(scene, ids.get(0)).orElseThrow().centroid()
                 : new Point((box.minX() + box.maxX()) / 2, (box.minY() + box.maxY()) / 2);
     }
 
