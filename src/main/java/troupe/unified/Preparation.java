@@ -5,6 +5,7 @@ import java.util.Optional;
 import troupe.grid.field.Nf2;
 import troupe.grid.layer.Layers;
 import troupe.grid.region.Groundworks;
+import troupe.grid.region.Reach;
 import troupe.grid.region.Region;
 import troupe.grid.region.RegionBuilder;
 import troupe.scene.Actor;
@@ -19,7 +20,7 @@ import troupe.unified.search.JourneyWorkspace;
 import troupe.unified.search.Moving;
 
 /**
- * Makes ready what a search for a journey needs, stage by stage: layers, regions, the potential where the
+ * Makes ready what a search for a journey needs, stage by stage: spans, regions, the potential where the
  * ordering asks for it. Used by one thread at a time.
  */
 final class Preparation {
@@ -30,13 +31,16 @@ final class Preparation {
     private final Groundworks kept;
     private final List<Movable> movables;
 
-    private Layers layers;
+    private RegionBuilder builder;
     private Region region;
     private Region widest;
     private Region open;
     private Standpoint start;
     private Standpoint goal;
     private Nf2 potential;
+
+    /** What can be reached from the start, found while the widest region is built on another thread. */
+    private Optional<Reach> around = Optional.empty();
 
     /**
      * Does nothing yet.
@@ -54,21 +58,22 @@ final class Preparation {
     }
 
     /**
-     * Builds the layers and regions and looks up start and goal.
+     * Builds the regions, finds what hangs together with the start, and looks up start and goal.
      *
      * @throws troupe.grid.GridLimitException if the scene is too much for the grid
      */
     void build() {
-        RegionBuilder builder = new RegionBuilder(scene, actor, kept.of(scene, actor));
-        times.measure(StageTimes.LAYERS, () -> layers = builder.layers());
+        builder = new RegionBuilder(scene, actor, kept.of(scene, actor));
+        times.measure(StageTimes.LAYERS, builder::spans);
         times.measure(StageTimes.REGION, () -> {
-            if (!movables.isEmpty()) {
-                builder.buildBoth();
-            }
+            builder.beginWidest();
             region = builder.region();
-            widest = movables.isEmpty() ? region : builder.widest();
         });
         start = Standpoint.at(region, scene, journey.start(), "start");
+        if (!movables.isEmpty() && start.configuration() >= 0 && !isPublished()) {
+            times.measure(StageTimes.SEARCH, () -> around = Optional.of(Reach.from(region, start.configuration())));
+        }
+        times.measure(StageTimes.REGION, () -> widest = movables.isEmpty() ? region : builder.widest());
         goal = Standpoint.at(widest, scene, journey.goal(), "goal");
     }
 
@@ -87,8 +92,9 @@ final class Preparation {
         return movables;
     }
 
+    /** Returns the layers, numbered when they are first asked for: no plan needs them. */
     Layers layers() {
-        return layers;
+        return builder.layers();
     }
 
     /** Returns the region of the scene as it stands. */
@@ -124,9 +130,13 @@ final class Preparation {
         return new Nf2(open()).compute(goal.configuration(), spread);
     }
 
+    private boolean isPublished() {
+        return journey.ordering() instanceof Ordering.Paper;
+    }
+
     /** Makes the search; {@link #isPossible} must hold. */
     JourneySearch search(JourneyCosts costs, long expansions) {
-        boolean published = journey.ordering() instanceof Ordering.Paper;
+        boolean published = isPublished();
         JourneyQuery.Potential guide = published ? potential()::potential : JourneyQuery.Potential.NONE;
         JourneyQuery query =
                 new JourneyQuery(start.configuration(), goal.configuration(), journey.ordering(), guide, expansions);
@@ -144,6 +154,6 @@ final class Preparation {
                 journey.slice(),
                 published ? Optional.of(open()) : Optional.empty(),
                 breadth);
-        return new JourneySearch(new JourneyWorkspace(region, widest), costs, query, moving);
+        return new JourneySearch(new JourneyWorkspace(region, widest, around), costs, query, moving);
     }
 }

@@ -22,6 +22,7 @@ public final class Groundwork {
     private Layers layers;
     private Structure structure;
     private Region widest;
+    private volatile Region last;
 
     /** Makes the groundwork of an actor that has already lost the abilities which preferences switch off. */
     public Groundwork(Scene scene, Actor actor) {
@@ -87,5 +88,16 @@ public final class Groundwork {
             widest = Region.widest(structure(scene));
         }
         return widest;
+    }
+
+    /**
+     * Returns the region of a scene that it fits: the one asked for last with what has been moved since, if that is little,
+     * else a new one.
+     */
+    Region region(Structure fitting) {
+        Region before = last;
+        Region made = before == null ? new Region(fitting, fitting.movables()) : before.at(fitting);
+        last = made;
+        return made;
     }
 }

@@ -11,6 +11,8 @@ import troupe.scene.Ability;
  * with every counter ignored. Immutable.
  */
 public final class Reach {
+    private static final int STRAIGHT = 15;
+
     private final Region region;
     private final BitSet reached;
     private int count;
@@ -52,7 +54,8 @@ public final class Reach {
                 if (count + GridFrame.DIRECTIONS > queue.length) {
                     queue = Arrays.copyOf(queue, 2 * queue.length);
                 }
-                for (int rest = region.moves(queue[head]); rest != 0; rest &= rest - 1) {
+                // a legal diagonal goes with two straight steps to either side, so these reach as much
+                for (int rest = region.moves(queue[head]) & STRAIGHT; rest != 0; rest &= rest - 1) {
                     int to = queue[head] + offsets[Integer.numberOfTrailingZeros(rest)];
                     if (!reached.get(to)) {
                         reached.set(to);

@@ -32,6 +32,9 @@ public final class Region implements StepRelation {
     /** The most legal neighbours that a configuration has. */
     public static final int MAX_NEIGHBOURS = 512;
 
+    /** More obstacles that stand elsewhere are not worth a patch. */
+    private static final int MOST_PATCHED = 2;
+
     private final Structure structure;
     private final Solid[] movables;
     private final Actor actor;
@@ -100,12 +103,28 @@ public final class Region implements StepRelation {
     }
 
     private Region moved(Solid[] changed) {
-        RegionPatch patch = new RegionPatch(structure, movables, words, crossings, changed);
+        return patched(structure, changed);
+    }
+
+    /** Returns the region of a scene that differs in the outlines of movable obstacles only; built anew if in many of them. */
+    Region at(Structure other) {
+        Solid[] there = other.movables();
+        int moved = 0;
+        for (int i = 0; i < there.length; i++) {
+            if (there[i] != null && movables[i] != null && there[i].outline().equals(movables[i].outline())) {
+                there[i] = movables[i];
+            } else if (there[i] != null || movables[i] != null) {
+                moved++;
+            }
+        }
+        return moved > MOST_PATCHED ? new Region(other, there) : patched(other, there);
+    }
+
+    private Region patched(Structure other, Solid[] changed) {
+        RegionPatch patch = new RegionPatch(other, movables, words, crossings, changed);
         patch.run();
         return new Region(
-                structure,
-                changed,
-                new Parts(patch.words(), patch.crossings(), patch.neighbours(), patch.bands(bands)));
+                other, changed, new Parts(patch.words(), patch.crossings(), patch.neighbours(), patch.bands(bands)));
     }
 
     /** Builds the region of an actor that has already lost the abilities which preferences switch off. */

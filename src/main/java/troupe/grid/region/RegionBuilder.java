@@ -23,6 +23,7 @@ public final class RegionBuilder {
     private Structure structure;
     private Region region;
     private Region widest;
+    private ForkJoinTask<Region> begun;
 
     /** Makes a builder for an actor that has already lost the abilities which preferences switch off. */
     public RegionBuilder(Scene scene, Actor actor) {
@@ -57,7 +58,7 @@ public final class RegionBuilder {
     /** Classifies every configuration, movable obstacles at their own places. Cost O(cells + edges). */
     public Region region() {
         if (region == null) {
-            region = new Region(structure(), structure().movables());
+            region = groundwork.region(structure());
         }
         return region;
     }
@@ -70,17 +71,14 @@ public final class RegionBuilder {
     }
 
     /**
-     * Builds {@link #region} and {@link #widest} side by side, the latter on another thread if there is one to spare;
-     * what they are does not depend on it.
+     * Begins to build {@link #widest} on another thread, if there is one to spare and something can be moved; what it is
+     * does not depend on it.
      */
-    public void buildBoth() {
+    public void beginWidest() {
         structure();
-        if (isWidened() && widest == null) {
-            ForkJoinTask<Region> other = ForkJoinPool.commonPool().submit(groundwork::widest);
-            region();
-            widest = other.join();
+        if (isWidened() && widest == null && begun == null) {
+            begun = ForkJoinPool.commonPool().submit(groundwork::widest);
         }
-        region();
     }
 
     /** Tells whether the actor can move something that the scene has to be moved. */
@@ -99,7 +97,7 @@ public final class RegionBuilder {
      */
     public Region widest() {
         if (widest == null) {
-            widest = isWidened() ? groundwork.widest() : region();
+            widest = begun != null ? begun.join() : isWidened() ? groundwork.widest() : region();
         }
         return widest;
     }

@@ -120,6 +120,9 @@ public final class JourneySearch implements Expander {
         enclosures = moving.isPossible() && toGo != null
                 ? Optional.of(new Enclosures(manipulations, toGo, costs, weight, query.goal()))
                 : Optional.empty();
+        if (enclosures.isPresent()) {
+            work.around.ifPresent(reach -> base.know(reach, query.goal()));
+        }
         keys = new LabelKeys(labels, spaces(), attempts(), priority, enclosures);
         slice = moving.slice();
         search = new BestFirst(open, this, NO_WAY, query.expansions());

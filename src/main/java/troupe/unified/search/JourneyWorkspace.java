@@ -1,5 +1,7 @@
 package troupe.unified.search;
 
+import java.util.Optional;
+import troupe.grid.region.Reach;
 import troupe.grid.region.Region;
 import troupe.search.BucketQueue;
 import troupe.search.LabelPool;
@@ -18,6 +20,9 @@ public final class JourneyWorkspace {
 
     /** The region over which the cost to go is found. */
     final Region widest;
+
+    /** What is known already to hang together in the region. */
+    final Optional<Reach> around;
 
     final int[] offsets;
 
@@ -38,7 +43,7 @@ public final class JourneyWorkspace {
 
     /** Takes the memory for searches in which no obstacle is moved. Cost O(size of the region), once. */
     public JourneyWorkspace(Region region) {
-        this(region, region);
+        this(region, region, Optional.empty());
     }
 
     /**
@@ -46,10 +51,12 @@ public final class JourneyWorkspace {
      *
      * @param region the region of the scene as it stands
      * @param widest the region that holds every way over any search space, for the cost to go
+     * @param around what is known already to hang together in the region as it stands
      */
-    public JourneyWorkspace(Region region, Region widest) {
+    public JourneyWorkspace(Region region, Region widest, Optional<Reach> around) {
         this.region = region;
         this.widest = widest;
+        this.around = around;
         offsets = region.frame().offsets();
         field = new FieldMemory(widest, widest != region);
         chains = new ChainTable(region.size());

@@ -170,6 +170,11 @@ public final class SearchSpace {
         return Optional.empty();
     }
 
+    /** Takes notice of configurations that hang together. */
+    void know(Reach reach, int goal) {
+        enclosures.add(new Enclosure(reach, goal));
+    }
+
     /** Returns what a configuration hangs together with; flooded if it is not known. */
     Enclosure enclosure(int configuration, int goal) {
         return enclosure(configuration).orElseGet(() -> {
