@@ -1,5 +1,6 @@
 package troupe;
 
+import java.awt.GraphicsEnvironment;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -7,7 +8,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
-import troupe.exchange.ExchangeException;
+import org.junit.jupiter.api.Test;
+import troupe.app.StudioPictures;
 import troupe.exchange.ExportSettings;
 import troupe.exchange.Formats;
 import troupe.exchange.ImageExport;
@@ -23,18 +25,19 @@ import troupe.work.Fields;
 import troupe.work.Tasks;
 
 /**
- * Makes the pictures of the documentation anew: {@code mvn -q test-compile exec:java
- * -Dexec.classpathScope=test -Dexec.mainClass=troupe.DocPictures}.
+ * Makes the pictures of the documentation anew: {@code mvn test -Dtest=DocPictures}, those of the window only
+ * where there is a display ({@code xvfb-run -a -s "-screen 0 1600x1000x24"} before it makes one). Takes a minute or
+ * two; no part of the suite.
  */
-public final class DocPictures {
+class DocPictures {
     private static final Path SCENES = Path.of("scenes/unified");
     private static final Path FOLDER = Path.of("docs/pictures");
     private static final int WIDTH = 800;
 
-    private DocPictures() {}
-
     /** Writes every picture into {@code docs/pictures}. */
-    public static void main(String[] arguments) throws SceneException, ExchangeException, IOException {
+    @Test
+    void writesEveryPicture() throws Exception {
+        System.setProperty("awt.useSystemAAFontSettings", "on");
         Files.createDirectories(FOLDER);
         plan("courtyard", "to-the-fountain", 0.69);
         plan("layers", "over-the-bridge", 0.45);
@@ -44,6 +47,11 @@ public final class DocPictures {
         Run run = run(scene("courtyard"), "to-the-fountain");
         write(Picture.of(run, 0.69 * run.frames().duration()).solid(Camera.Angle.DEFAULT), "courtyard-solid");
         Formats.exporter("gif").write(run, ExportSettings.DEFAULT.wide(480), FOLDER.resolve("courtyard.gif"));
+        if (GraphicsEnvironment.isHeadless()) {
+            System.out.println("there is no display: the pictures of the window were not made");
+        } else {
+            StudioPictures.write(FOLDER);
+        }
     }
 
     private static Scene scene(String name) throws SceneException, IOException {

@@ -44,14 +44,9 @@ final class PaintedTexts extends Graphics2D {
             return clip == null || clip.intersects(box);
         }
 
-        /** Returns how many pixels of its width, or of half its height, are cut off. */
+        /** Returns how many pixels are cut off at the left or the right. */
         double cut() {
-            if (clip == null) {
-                return 0;
-            }
-            double wide = Math.max(clip.getMinX() - box.getMinX(), box.getMaxX() - clip.getMaxX());
-            double high = Math.max(clip.getMinY() - box.getMinY(), box.getMaxY() - clip.getMaxY());
-            return Math.max(wide, high - box.getHeight() / 4);
+            return clip == null ? 0 : Math.max(clip.getMinX() - box.getMinX(), box.getMaxX() - clip.getMaxX());
         }
     }
 

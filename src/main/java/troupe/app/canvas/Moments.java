@@ -27,7 +27,9 @@ final class Moments implements AutoCloseable {
     private final Executor eventThread;
     private final Consumer<List<OverlayPainter>> taker;
     private final AtomicReference<Request> newest = new AtomicReference<>();
-    private final MomentViews views = new MomentViews();
+    /** Made by the worker, the only one that uses it. */
+    private MomentViews views;
+
     private final ExecutorService worker = Executors.newSingleThreadExecutor(task -> {
         Thread thread = new Thread(task, "moments");
         thread.setDaemon(true);
@@ -75,6 +77,9 @@ final class Moments implements AutoCloseable {
     }
 
     private void make() {
+        if (views == null) {
+            views = new MomentViews();
+        }
         Request request = newest.get();
         while (request != null) {
             double time = request.frame() / request.run().frames().rate();

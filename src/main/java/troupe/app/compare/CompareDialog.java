@@ -17,6 +17,8 @@ import javax.swing.JTable;
 import javax.swing.table.AbstractTableModel;
 import javax.swing.table.DefaultTableCellRenderer;
 import troupe.app.look.Look;
+import troupe.app.look.Prose;
+import troupe.app.look.Scaling;
 import troupe.app.look.ThinScrollBarUI;
 import troupe.app.session.Comparison;
 import troupe.app.session.Session;
@@ -25,6 +27,8 @@ import troupe.run.Report;
 
 /** Shows the reports of the run that is shown and the one that is kept side by side, with what differs marked. */
 final class CompareDialog {
+    private static final List<Integer> WIDTHS = List.of(220, 225, 225, 100);
+
     private final Look look;
     private final ReportWords words;
     private final Session session;
@@ -43,7 +47,7 @@ final class CompareDialog {
         JTable table = new JTable(model);
         table.setName("compare.table");
         table.setFont(look.font());
-        table.setRowHeight(22);
+        table.setRowHeight(look.px(22));
         table.setShowGrid(false);
         table.setBackground(look.color(Tone.PANEL));
         table.setForeground(look.color(Tone.TEXT));
@@ -59,11 +63,11 @@ final class CompareDialog {
         all.setBorder(BorderFactory.createEmptyBorder(14, 16, 14, 16));
         all.add(names, BorderLayout.NORTH);
         all.add(ThinScrollBarUI.scroll(table, look), BorderLayout.CENTER);
-        all.add(look.label(look.text("compare.marks"), Tone.DIM), BorderLayout.SOUTH);
+        all.add(new Prose(look, look.text("compare.marks")), BorderLayout.SOUTH);
         ((javax.swing.JScrollPane) ((BorderLayout) all.getLayout()).getLayoutComponent(BorderLayout.CENTER))
                 .setColumnHeaderView(table.getTableHeader());
-        dialog.setContentPane(all);
-        dialog.setSize(new Dimension(560, 460));
+        dialog.setContentPane(new Scaling(look::scale).apply(all));
+        dialog.setSize(new Dimension(look.px(WIDTHS.stream().mapToInt(w -> w).sum() + 50), look.px(500)));
         dialog.setLocationRelativeTo(over);
         dialog.setDefaultCloseOperation(JDialog.DISPOSE_ON_CLOSE);
         dialog.addWindowListener(new WindowAdapter() {
@@ -75,7 +79,9 @@ final class CompareDialog {
         });
         leave.add(session.plans().add(plan -> refresh()));
         leave.add(session.comparison().listeners().add(c -> refresh()));
-        table.getColumnModel().getColumn(0).setPreferredWidth(200);
+        for (int column = 0; column < WIDTHS.size(); column++) {
+            table.getColumnModel().getColumn(column).setPreferredWidth(look.px(WIDTHS.get(column)));
+        }
         refresh();
     }
 
@@ -149,7 +155,7 @@ final class CompareDialog {
             setFont(differs ? look.bold() : look.font());
             setForeground(look.color(differs || column != 0 ? Tone.TEXT : Tone.DIM));
             setBackground(differs ? look.selected() : look.color(Tone.PANEL));
-            setBorder(BorderFactory.createEmptyBorder(0, 8, 0, 8));
+            setBorder(BorderFactory.createEmptyBorder(0, look.px(8), 0, look.px(8)));
             setToolTipText(column == 0 ? model.rows.get(row).name() : String.valueOf(value));
             return this;
         }

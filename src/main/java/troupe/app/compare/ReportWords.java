@@ -8,6 +8,8 @@ import troupe.app.look.Texts;
 final class ReportWords {
     private static final Pattern NUMBER = Pattern.compile("\\d+");
 
+    private static final Pattern LONG = Pattern.compile("-?\\d+\\.\\d{4,}");
+
     private final Texts texts;
 
     /** Makes the words of a language. */
@@ -37,12 +39,16 @@ final class ReportWords {
         if (printed.startsWith("[") && printed.endsWith("]")) {
             StringJoiner told = new StringJoiner(", ");
             for (String part : printed.substring(1, printed.length() - 1).split(", ")) {
-                told.add(texts.get("word." + part, part));
+                told.add(LONG.matcher(part).matches() ? brief(part) : texts.get("word." + part, part));
             }
             return told.toString();
         }
         boolean truth = printed.equals("true") || printed.equals("false");
         return truth ? texts.get("report." + printed) : texts.get("value.motion." + printed, split(printed));
+    }
+
+    private static String brief(String number) {
+        return String.valueOf(Math.rint(Double.parseDouble(number) * 1_000) / 1_000);
     }
 
     private String split(String printed) {

@@ -26,6 +26,7 @@ import javax.swing.KeyStroke;
 import troupe.app.look.FlatButton;
 import troupe.app.look.Look;
 import troupe.app.look.Question;
+import troupe.app.look.Scaling;
 import troupe.exchange.ExportSettings;
 import troupe.exchange.Exporter;
 import troupe.paint.Tone;
@@ -109,7 +110,7 @@ public final class ExportDialog {
         below.add(file, BorderLayout.NORTH);
         below.add(last, BorderLayout.SOUTH);
         all.add(below, BorderLayout.SOUTH);
-        dialog.setContentPane(all);
+        dialog.setContentPane(new Scaling(look::scale).apply(all));
         dialog.getRootPane()
                 .getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW)
                 .put(KeyStroke.getKeyStroke("ESCAPE"), "leave");
@@ -126,8 +127,8 @@ public final class ExportDialog {
                 leave();
             }
         });
-        dialog.setSize(new Dimension(820, 520));
-        dialog.setMinimumSize(new Dimension(700, 460));
+        dialog.setSize(new Dimension(look.px(860), look.px(520)));
+        dialog.setMinimumSize(new Dimension(look.px(700), look.px(460)));
         dialog.setLocationRelativeTo(dialog.getOwner());
     }
 

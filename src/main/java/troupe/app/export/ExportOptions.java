@@ -73,7 +73,7 @@ final class ExportOptions {
             }
         });
         panel.setOpaque(false);
-        panel.setPreferredSize(new Dimension(300, 300));
+        panel.setPreferredSize(new Dimension(340, 300));
         fields.setOpaque(false);
         panel.add(formats, BorderLayout.CENTER);
         panel.add(fields, BorderLayout.SOUTH);
@@ -219,7 +219,7 @@ final class ExportOptions {
             setOpaque(true);
             setForeground(look.color(Tone.TEXT));
             setBackground(selected ? look.selected() : look.color(Tone.PANEL));
-            setBorder(BorderFactory.createEmptyBorder(0, 10, 0, 8));
+            setBorder(BorderFactory.createEmptyBorder(0, look.px(10), 0, look.px(8)));
             return this;
         }
     }

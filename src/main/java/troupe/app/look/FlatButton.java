@@ -6,6 +6,9 @@ import java.awt.FontMetrics;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.Insets;
+import java.text.BreakIterator;
+import java.util.ArrayList;
+import java.util.List;
 import javax.swing.Action;
 import javax.swing.Icon;
 import javax.swing.JToggleButton;
@@ -37,6 +40,7 @@ public final class FlatButton extends JToggleButton {
     private final transient Look look;
     private final Style style;
     private String hint = "";
+    private int widest = Integer.MAX_VALUE;
 
     /** Makes a button without text. */
     public FlatButton(Look look, Style style) {
@@ -70,10 +74,41 @@ public final class FlatButton extends JToggleButton {
         repaint();
     }
 
+    /** Breaks the text into lines where it is wider than so many pixels at 100 %; a button with a hint has one line. */
+    public void setWidest(int pixels) {
+        widest = look.px(pixels);
+        revalidate();
+        repaint();
+    }
+
+    /** Breaks a text into lines of at most {@code room} pixels, after a space, or anywhere in scripts without them. */
+    private static List<String> lines(String text, FontMetrics metrics, int room) {
+        List<String> lines = new ArrayList<>();
+        BreakIterator breaks = BreakIterator.getLineInstance();
+        breaks.setText(text);
+        int begin = 0;
+        int last = 0;
+        for (int end = breaks.next(); end != BreakIterator.DONE; end = breaks.next()) {
+            if (last > begin && metrics.stringWidth(text.substring(begin, end).stripTrailing()) > room) {
+                lines.add(text.substring(begin, last).stripTrailing());
+                begin = last;
+            }
+            last = end;
+        }
+        lines.add(text.substring(begin));
+        return lines;
+    }
+
     @Override
     public Dimension getPreferredSize() {
         if (isPreferredSizeSet() || hint == null) {
             return super.getPreferredSize();
+        }
+        if (widest < Integer.MAX_VALUE) {
+            FontMetrics metrics = getFontMetrics(getFont());
+            List<String> lines = lines(shownText(), metrics, widest - 2 * look.px(style.padding));
+            int wide = lines.stream().mapToInt(metrics::stringWidth).max().orElse(0);
+            return new Dimension(wide + 2 * look.px(style.padding), lines.size() * metrics.getHeight() + look.px(12));
         }
         FontMetrics metrics = getFontMetrics(getFont());
         int icon = getIcon() == null ? 0 : getIcon().getIconWidth();
@@ -110,14 +145,28 @@ public final class FlatButton extends JToggleButton {
             x += icon.getIconWidth() + between;
         }
         g.setFont(getFont());
-        int base = (getHeight() - metrics.getHeight()) / 2 + metrics.getAscent();
         g.setColor(ink());
+        if (widest < Integer.MAX_VALUE) {
+            paintLines(g, lines(text, metrics, getWidth() - 2 * look.px(style.padding)));
+            g.dispose();
+            return;
+        }
+        int base = (getHeight() - metrics.getHeight()) / 2 + metrics.getAscent();
         g.drawString(text, x, base);
         if (!hint.isEmpty() && getWidth() >= getPreferredSize().width) {
             g.setColor(look.color(Tone.DIM));
             g.drawString(hint, getWidth() - look.px(style.padding) - metrics.stringWidth(hint), base);
         }
         g.dispose();
+    }
+
+    private void paintLines(Graphics2D g, List<String> lines) {
+        FontMetrics metrics = g.getFontMetrics();
+        int base = (getHeight() - lines.size() * metrics.getHeight()) / 2 + metrics.getAscent();
+        for (String line : lines) {
+            g.drawString(line, (getWidth() - metrics.stringWidth(line)) / 2, base);
+            base += metrics.getHeight();
+        }
     }
 
     private void paintGround(Graphics2D g) {

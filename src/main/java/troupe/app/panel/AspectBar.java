@@ -109,7 +109,7 @@ public final class AspectBar extends Panel {
         String name = look().texts().get("aspect." + aspect.key(), aspect.key());
         String text = texts(aspect).get(choice);
         button.setName("aspect." + aspect.key());
-        button.setText(name + ": " + Ellipsis.fit(text, button.getFontMetrics(button.getFont()), ROOM));
+        button.setText(name + ": " + Ellipsis.fit(text, button.getFontMetrics(button.getFont()), look().px(ROOM)));
         button.setHint("\u25be");
         button.setToolTipText(text);
         button.getAccessibleContext().setAccessibleName(name + ": " + text);

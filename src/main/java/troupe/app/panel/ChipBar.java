@@ -110,11 +110,12 @@ public final class ChipBar extends Panel {
 
     /** Puts as many chips into the bar as fit, and the rest behind the last one. */
     private void arrange() {
-        int room = getWidth() - getInsets().left - getInsets().right - more.getPreferredSize().width - 2 * GAP;
+        int gap = ((FlowLayout) getLayout()).getHgap();
+        int room = getWidth() - getInsets().left - getInsets().right - more.getPreferredSize().width - 3 * gap;
         int fit = 0;
         int used = 0;
         for (FlatButton chip : chips.values()) {
-            used += chip.getPreferredSize().width + GAP;
+            used += chip.getPreferredSize().width + gap;
             if (used > room) {
                 break;
             }

@@ -39,7 +39,7 @@ public final class OutlinePanel extends Panel {
         setName("outline");
         setBorder(look.line(0, 0, 0, 1));
         setMinimumSize(new Dimension(150, 100));
-        setPreferredSize(new Dimension(220, 100));
+        setPreferredSize(new Dimension(228, 100));
         list.setName("outline.list");
         list.setBackground(look.color(Tone.PANEL));
         list.setBorder(BorderFactory.createEmptyBorder(2, 0, 8, 0));
@@ -153,7 +153,7 @@ public final class OutlinePanel extends Panel {
             boolean heading = value.kind() == OutlineRow.Kind.HEADING;
             setPreferredSize(new Dimension(100, look().px(heading ? ROW + 6 : ROW)));
             getAccessibleContext().setAccessibleName(value.name() + " " + value.note());
-            setToolTipText(value.kind() == OutlineRow.Kind.PROBLEM ? value.hint() : null);
+            setToolTipText(value.kind() == OutlineRow.Kind.PROBLEM ? value.hint() : value.name());
             return this;
         }
 
@@ -185,7 +185,7 @@ public final class OutlinePanel extends Panel {
             g.drawString(row.note(), getWidth() - look().px(14) - noteWidth, base);
             g.setColor(look().color(Tone.TEXT));
             int left = 34 + row.depth() * INDENT;
-            int room = getWidth() - noteWidth - look().px(14 + 8 + left);
+            int room = getWidth() - noteWidth - look().px(14 + 4 + left);
             g.drawString(Ellipsis.fit(row.name(), g.getFontMetrics(), room), look().px(left), base);
             g.dispose();
         }

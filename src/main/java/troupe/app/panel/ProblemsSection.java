@@ -34,6 +34,7 @@ import troupe.work.Blockage;
  */
 public final class ProblemsSection extends Panel {
     private static final int MOST = 6;
+    private static final int WIDEST = 228;
 
     private final transient Diagnosis diagnosis;
     private final transient Consumer<Box> zoom;
@@ -133,6 +134,7 @@ public final class ProblemsSection extends Panel {
         FlatButton button = new FlatButton(look(), FlatButton.Style.PILL);
         String text = look().texts().format(fix.key(), fix.what());
         button.setText(text);
+        button.setWidest(WIDEST);
         button.setName(fix.key());
         button.addActionListener(e -> {
             button.setSelected(false);

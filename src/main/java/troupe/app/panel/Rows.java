@@ -10,6 +10,7 @@ import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import troupe.app.look.Look;
+import troupe.app.look.Prose;
 import troupe.paint.Tone;
 
 /** Lays out rows of a dim label and its field, under a heading. */
@@ -28,11 +29,15 @@ final class Rows {
         panel.setLayout(new GridBagLayout());
     }
 
-    /** Adds a heading. */
+    /** Adds a heading, in as many lines as it takes. */
     Rows heading(String text) {
-        JLabel label = look.label(text, Tone.TEXT);
-        label.setFont(look.bold(13));
-        add(label, 0, 2, new Insets(0, 0, 8, 0));
+        Prose heading = new Prose(look, text);
+        heading.setFont(look.bold(13));
+        heading.setColumns(8);
+        heading.setOpaque(false);
+        heading.setFocusable(false);
+        heading.getAccessibleContext().setAccessibleName(text);
+        add(heading, 0, 2, new Insets(0, 0, 8, 0));
         return this;
     }
 

@@ -1,9 +1,11 @@
 package troupe.app.panel;
 
 import java.awt.BorderLayout;
+import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
+import java.awt.Insets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -47,6 +49,7 @@ public final class StatusBar extends Panel {
     private final FlatButton cancel;
     private final transient Timer patience;
     private Tone state = Tone.DIM;
+    private String hinted = "";
     private boolean working;
     private transient Optional<Point> pointer = Optional.empty();
 
@@ -119,9 +122,32 @@ public final class StatusBar extends Panel {
         return line;
     }
 
-    /** Says what the mouse would do now. */
+    /** Says what the mouse would do now; nothing where there is no room for all of it. */
     public void hint(String text) {
-        hint.setText(text);
+        hinted = text;
+        hint.setToolTipText(text);
+        revalidate();
+    }
+
+    /** {@inheritDoc} Where there is little room, the details give way first, then what the mouse would do. */
+    @Override
+    public void doLayout() {
+        Insets around = getInsets();
+        int room = getWidth() - around.left - around.right - 2 * ((BorderLayout) getLayout()).getHgap();
+        details.setPreferredSize(null);
+        int told = hint.getFontMetrics(hint.getFont()).stringWidth(hinted) + 1;
+        int taken = line(details) + line(position);
+        if (taken + told > room) {
+            taken -= details.getPreferredSize().width;
+            details.setPreferredSize(new Dimension(0, details.getPreferredSize().height));
+        }
+        hint.setText(taken + told > room ? "" : hinted);
+        super.doLayout();
+    }
+
+    private static int line(Component part) {
+        part.getParent().invalidate();
+        return part.getParent().getPreferredSize().width;
     }
 
     /** Says how many pixels a metre has, as a share of what fits the window. */
