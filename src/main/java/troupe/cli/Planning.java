@@ -94,6 +94,12 @@ final class Planning {
         if (run.outcome() instanceof Outcome.Exhausted && run.report().values().containsKey("arrival")) {
             return run.task() + ": gave up at the limit of time (duration); " + meetings(run);
         }
+        if (run.outcome() instanceof Outcome.Exhausted
+                && "limit.spaces".equals(run.report().values().get("limit"))) {
+            return run.task()
+                    + ": gave up at the limit of search spaces (limit.spaces), ways of moving several obstacles; there may"
+                    + " still be a solution: make fewer of them movable, or allow more with more memory (-Xmx)";
+        }
         if (run.outcome() instanceof Outcome.Exhausted) {
             return run.task()
                     + ": gave up at the limit of expansions (limit.expansions); there may still be a solution";

@@ -9,6 +9,7 @@ package troupe.scene;
  * @param headings the number of headings in which a moved obstacle may stand, 1 to {@link #MOST_HEADINGS}
  * @param slice expansions that one turn of the search buys a manipulation instance, at least 1
  * @param expansions the most labels the search may expand before it gives up as exhausted, at least 1
+ * @param spaces the most search spaces, the scene as it stands among them, before it gives up as exhausted, at least 1
  */
 public record Journey(
         String id,
@@ -23,12 +24,16 @@ public record Journey(
         int headings,
         int slice,
         long expansions,
+        int spaces,
         long seed)
         implements Task {
     public static final int DEFAULT_HEADINGS = 24;
     public static final int MOST_HEADINGS = 360;
     public static final int DEFAULT_SLICE = 2_000;
     public static final long DEFAULT_EXPANSIONS = 50_000_000;
+
+    /** As many as a heap of 512 MB holds, even of rooms full of movable obstacles. */
+    public static final int DEFAULT_SPACES = 300;
 
     /** Order in which NF2 spreads along the skeleton: one wave after another, or widest place first. */
     public enum Spread {
@@ -57,6 +62,7 @@ public record Journey(
                 DEFAULT_HEADINGS,
                 DEFAULT_SLICE,
                 DEFAULT_EXPANSIONS,
+                DEFAULT_SPACES,
                 1);
     }
 
@@ -80,6 +86,7 @@ public record Journey(
                 headings,
                 slice,
                 expansions,
+                spaces,
                 seed);
     }
 
@@ -98,6 +105,7 @@ public record Journey(
                 headings,
                 slice,
                 expansions,
+                spaces,
                 seed);
     }
 
@@ -116,6 +124,7 @@ public record Journey(
                 headings,
                 slice,
                 expansions,
+                spaces,
                 seed);
     }
 
@@ -134,6 +143,7 @@ public record Journey(
                 headings,
                 slice,
                 expansions,
+                spaces,
                 seed);
     }
 
@@ -152,6 +162,7 @@ public record Journey(
                 headings,
                 slice,
                 expansions,
+                spaces,
                 seed);
     }
 
@@ -170,6 +181,7 @@ public record Journey(
                 changed,
                 slice,
                 expansions,
+                spaces,
                 seed);
     }
 
@@ -188,6 +200,26 @@ public record Journey(
                 headings,
                 Math.toIntExact(newSlice),
                 newExpansions,
+                spaces,
+                seed);
+    }
+
+    /** Returns this journey with another limit of search spaces. */
+    public Journey withSpaces(int changed) {
+        return new Journey(
+                id,
+                label,
+                actor,
+                start,
+                goal,
+                preferences,
+                ordering,
+                spread,
+                manipulation,
+                headings,
+                slice,
+                expansions,
+                changed,
                 seed);
     }
 
@@ -206,6 +238,7 @@ public record Journey(
                 headings,
                 slice,
                 expansions,
+                spaces,
                 changed);
     }
 
@@ -224,6 +257,7 @@ public record Journey(
                 headings,
                 slice,
                 expansions,
+                spaces,
                 seed);
     }
 
@@ -242,6 +276,7 @@ public record Journey(
                 headings,
                 slice,
                 expansions,
+                spaces,
                 seed);
     }
 }

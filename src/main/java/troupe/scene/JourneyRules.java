@@ -86,6 +86,9 @@ final class JourneyRules {
             if (journey.expansions() < 1) {
                 findings.error(journey.id(), "expansions is " + journey.expansions(), "give a whole number from 1");
             }
+            if (journey.spaces() < 1) {
+                findings.error(journey.id(), "spaces is " + journey.spaces(), "give a whole number from 1");
+            }
         }
     }
 }

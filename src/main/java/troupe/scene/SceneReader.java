@@ -290,6 +290,7 @@ final class SceneReader extends DefaultHandler {
                 (int) whole(a, "headings", Journey.DEFAULT_HEADINGS),
                 (int) whole(a, "slice", Journey.DEFAULT_SLICE),
                 whole(a, "expansions", Journey.DEFAULT_EXPANSIONS),
+                (int) whole(a, "spaces", Journey.DEFAULT_SPACES),
                 whole(a, "seed", 1));
     }
 

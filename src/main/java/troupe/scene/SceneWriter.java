@@ -133,6 +133,7 @@ final class SceneWriter {
         attribute("headings", Integer.toString(journey.headings()), Integer.toString(Journey.DEFAULT_HEADINGS));
         attribute("slice", Integer.toString(journey.slice()), Integer.toString(Journey.DEFAULT_SLICE));
         attribute("expansions", Long.toString(journey.expansions()), Long.toString(Journey.DEFAULT_EXPANSIONS));
+        attribute("spaces", Integer.toString(journey.spaces()), Integer.toString(Journey.DEFAULT_SPACES));
         attribute("seed", Long.toString(journey.seed()), "1");
         if (journey.preferences().equals(Preferences.NEUTRAL)) {
             out.append("/>\n");

@@ -27,6 +27,10 @@ final class TaskSettings {
                 "limit.expansions",
                 j -> Long.toString(j.expansions()),
                 (j, v) -> j.limited(j.slice(), positive(v, Long.MAX_VALUE)));
+        all.task(
+                "limit.spaces",
+                j -> Integer.toString(j.spaces()),
+                (j, v) -> j.withSpaces((int) positive(v, Integer.MAX_VALUE)));
         all.task("seed", j -> Long.toString(j.seed()), (j, v) -> j.seeded(Numbers.whole(v)));
         all.task("start", j -> Numbers.text(j.start()), (j, v) -> j.between(Numbers.place(v), j.goal()));
         all.task("goal", j -> Numbers.text(j.goal()), (j, v) -> j.between(j.start(), Numbers.place(v)));

@@ -90,6 +90,13 @@ public final class BestFirst {
         expanded += expansions;
     }
 
+    /** Ends the search with the outcome {@code Exhausted}, because something else than expansions has come to its limit. */
+    public void exhaust() {
+        if (outcome.isRunning()) {
+            outcome = Outcome.EXHAUSTED;
+        }
+    }
+
     /** Ends the search with the outcome {@code Cancelled}, unless it has ended already. */
     public void cancel() {
         if (outcome.isRunning()) {

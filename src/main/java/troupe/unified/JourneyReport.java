@@ -87,6 +87,9 @@ final class JourneyReport {
                     .put("blocked_together", blockedTogether)
                     .put("would_help", wouldHelp);
         }
+        if (search != null && search.outcome() instanceof Outcome.Exhausted) {
+            report.put("limit", search.isCrowded() ? "limit.spaces" : "limit.expansions");
+        }
         return report.build();
     }
 

@@ -152,6 +152,7 @@ final class Preparation {
                 movables,
                 journey.manipulation(),
                 journey.slice(),
+                journey.spaces(),
                 published ? Optional.of(open()) : Optional.empty(),
                 breadth);
         return new JourneySearch(new JourneyWorkspace(region, widest, around), costs, query, moving);

@@ -90,6 +90,7 @@ class SceneXmlTest {
                                 360,
                                 7,
                                 99,
+                                5,
                                 -5),
                         Journey.of("l", "a", Place.of(1, 2), Place.of(3, 4)).with(new Ordering.Bounded(1.5))));
         String text = SceneXml.write(scene);

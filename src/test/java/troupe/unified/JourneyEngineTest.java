@@ -90,6 +90,7 @@ class JourneyEngineTest implements EngineContract {
                 24,
                 1,
                 20,
+                Journey.DEFAULT_SPACES,
                 1);
         return List.of(
                 JourneyEngine.of(scene(actor, RIGHT, stub), RIGHT),
@@ -171,6 +172,7 @@ class JourneyEngineTest implements EngineContract {
                 24,
                 1,
                 1_000_000,
+                Journey.DEFAULT_SPACES,
                 1);
         Run round = plan(scene(Actor.standard("ann"), off, wall));
         assertEquals(List.of("walk"), round.report().values().get("abilities"));

@@ -75,6 +75,17 @@ class MovingJourneyTest {
         return JourneyEngine.of(scene, (Journey) scene.tasks().get(0)).finish();
     }
 
+    @Test
+    void endsExhaustedAtTheLimitOfSearchSpaces() {
+        Run one = plan(doorway(THROUGH.withSpaces(1), 20));
+        assertEquals(Outcome.EXHAUSTED, one.outcome());
+        assertEquals("limit.spaces", one.report().values().get("limit"));
+        assertEquals(1, ((List<?>) one.report().values().get("spaces")).size());
+        assertTrue(plan(doorway(THROUGH.withSpaces(5), 20)).outcome().isFound());
+        Run tired = plan(doorway(THROUGH.limited(Journey.DEFAULT_SLICE, 3), 20));
+        assertEquals("limit.expansions", tired.report().values().get("limit"));
+    }
+
     private static double number(Run run, String key) {
         return (double) run.report().values().get(key);
     }

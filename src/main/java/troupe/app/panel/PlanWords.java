@@ -23,6 +23,13 @@ import troupe.work.Flip;
 final class PlanWords {
     private PlanWords() {}
 
+    /** Returns a sentence for how a run ended. */
+    static String outcome(Run run, Texts texts) {
+        return "limit.spaces".equals(run.report().values().get("limit"))
+                ? texts.get("outcome.exhausted.spaces")
+                : outcome(run.outcome(), texts);
+    }
+
     /** Returns a sentence for an outcome. */
     static String outcome(Outcome outcome, Texts texts) {
         if (outcome instanceof Outcome.Infeasible infeasible) {

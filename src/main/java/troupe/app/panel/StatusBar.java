@@ -246,9 +246,7 @@ public final class StatusBar extends Panel {
             return;
         }
         String millis = Texts.number(plan.millis(), plan.millis() < 10 ? 1 : 0);
-        String text = found
-                ? look().texts().format("status.planned", millis)
-                : PlanWords.outcome(run.outcome(), look().texts());
+        String text = found ? look().texts().format("status.planned", millis) : PlanWords.outcome(run, look().texts());
         List<String> more = new ArrayList<>();
         if (found && run.report().values().get("expanded") instanceof Long expanded) {
             more.add(look().texts().format("status.expanded", expanded));

@@ -65,7 +65,7 @@ final class WhySection extends Panel {
         } else if (run.isEmpty()) {
             rows.wide(look().label(look().text(unplanned.isPresent() ? "status.notask" : "why.nothing"), Tone.DIM), 0);
         } else if (!found) {
-            rows.wide(new Note(PlanWords.outcome(run.get().outcome(), look().texts())), 0);
+            rows.wide(new Note(PlanWords.outcome(run.get(), look().texts())), 0);
         } else {
             rows.wide(new EnergyBar(Figures.energyByAbility(run.get())), 9);
             rows.wide(new Table(table(run.get())), 9);

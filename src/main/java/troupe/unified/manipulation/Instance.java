@@ -41,13 +41,17 @@ public final class Instance {
     private final int homeRow;
     private final long[] shiftCosts = new long[GridFrame.DIRECTIONS];
     private final double share;
-    private final PoseTable table;
-    private final OpenList open = new MinHeap(256);
-    private final BestFirst search;
-
-    private final PoseLabels labels = new PoseLabels();
-    private final ExitDistance exit;
+    private PoseTable table;
+    private OpenList open = new MinHeap(32);
+    private BestFirst search;
+    private PoseLabels labels = new PoseLabels();
+    private ExitDistance exit;
     private int reached = PoseLabels.NONE;
+
+    private Outcome outcome = Outcome.RUNNING;
+    private long expanded;
+    private long cost = Long.MAX_VALUE;
+    private Transfer transfer;
 
     /** Prepares the search; the first expansion takes the pose in which the obstacle stands. */
     public Instance(Question question) {
@@ -95,22 +99,44 @@ public final class Instance {
      * @param most in units of the prices
      */
     public long advance(long budget, long most) {
+        if (search == null) {
+            return 0;
+        }
         long before = search.expanded();
-        while (outcome().isRunning() && search.expanded() - before < budget) {
+        while (search.outcome().isRunning() && search.expanded() - before < budget) {
             if (!open.isEmpty() && open.firstKey() > most) {
                 break;
             }
             search.step(1);
         }
-        if (outcome().isRunning() && open.isEmpty()) {
+        if (search.outcome().isRunning() && open.isEmpty()) {
             search.step(1);
         }
-        return search.expanded() - before;
+        long done = search.expanded() - before;
+        if (!search.outcome().isRunning()) {
+            end();
+        }
+        return done;
+    }
+
+    /** Keeps what has come out and lets go of the memory of the search. */
+    private void end() {
+        outcome = search.outcome();
+        expanded = search.expanded();
+        if (outcome.isFound()) {
+            cost = labels.cost(reached);
+            transfer = traced();
+        }
+        search = null;
+        table = null;
+        open = null;
+        labels = null;
+        exit = null;
     }
 
     /** Returns how the search stands: running, found, or infeasible if the obstacle cannot be moved out of the way. */
     public Outcome outcome() {
-        return search.outcome();
+        return outcome;
     }
 
     /**
@@ -118,15 +144,15 @@ public final class Instance {
      * promise while running, {@link Long#MAX_VALUE} if there is no result.
      */
     public long least() {
-        if (reached >= 0) {
-            return labels.cost(reached);
+        if (search == null) {
+            return cost;
         }
-        return outcome().isRunning() && !open.isEmpty() ? open.firstKey() : Long.MAX_VALUE;
+        return open.isEmpty() ? Long.MAX_VALUE : open.firstKey();
     }
 
     /** Returns the expansions so far. */
     public long expanded() {
-        return search.expanded();
+        return search == null ? expanded : search.expanded();
     }
 
     /**
@@ -136,7 +162,7 @@ public final class Instance {
      */
     public long cost() {
         requireFound();
-        return labels.cost(reached);
+        return cost;
     }
 
     /**
@@ -173,12 +199,16 @@ public final class Instance {
     }
 
     /**
-     * Returns how the obstacle was moved. Cost O(its moves).
+     * Returns how the obstacle was moved.
      *
      * @throws IllegalStateException unless found
      */
     public Transfer transfer() {
         requireFound();
+        return transfer;
+    }
+
+    private Transfer traced() {
         List<LatticePose> poses = new ArrayList<>();
         for (int label = reached; label != PoseLabels.NONE; label = labels.parent(label)) {
             int cell = labels.cell(label);

@@ -11,13 +11,15 @@ final class PoseLabels {
     /** Stands for no label. */
     static final int NONE = -1;
 
+    private static final int FIRST = 64;
+
     private int size;
-    private int[] cells = new int[256];
-    private int[] headings = new int[256];
-    private int[] parents = new int[256];
-    private int[] stands = new int[256];
-    private long[] costs = new long[256];
-    private final BitSet closed = new BitSet(256);
+    private int[] cells = new int[FIRST];
+    private int[] headings = new int[FIRST];
+    private int[] parents = new int[FIRST];
+    private int[] stands = new int[FIRST];
+    private long[] costs = new long[FIRST];
+    private final BitSet closed = new BitSet(FIRST);
 
     /** Adds a label for the pose whose centroid lies in a cell of the frame; returns its number. */
     int add(int cell, int heading) {

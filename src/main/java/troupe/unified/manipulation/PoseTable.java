@@ -34,7 +34,7 @@ final class PoseTable {
         this.states = states;
         this.blockCols = (cols >> SIDE) + 1;
         this.blockSize = states << 2 * SIDE;
-        this.labels = new int[4 * blockSize];
+        this.labels = new int[blockSize];
         Arrays.fill(blocks, -1);
         Arrays.fill(labels, NONE);
     }

@@ -64,6 +64,7 @@ public final class JourneySearch implements Expander {
     private Enclosure enclosing;
     private int reached = LabelPool.NONE;
     private long manipulated;
+    private boolean crowded;
 
     /**
      * Prepares a search in which nothing is moved.
@@ -171,6 +172,11 @@ public final class JourneySearch implements Expander {
     /** Returns how the search stands. */
     public Outcome outcome() {
         return search.outcome();
+    }
+
+    /** Tells whether it ended because another search space would have been one too many. */
+    public boolean isCrowded() {
+        return crowded;
     }
 
     /** Ends the search with the outcome {@code Cancelled}, unless it has ended already. */
@@ -373,6 +379,11 @@ public final class JourneySearch implements Expander {
     private void goOn(int label, MoveAttempt attempt, long key) {
         Instance instance = attempt.instance();
         SearchSpace space = manipulations.after(attempt);
+        if (space == null) {
+            crowded = search.outcome().isRunning();
+            search.exhaust();
+            return;
+        }
         Transfer transfer = instance.transfer();
         int at = transfer.gripped() ? transfer.to() : labels.state(label);
         if (space.region().takesOff(at)) {

@@ -67,14 +67,14 @@ final class Manipulations {
         return Collections.unmodifiableList(attempts);
     }
 
-    /** Returns the space in which an attempt that has been found has put its obstacle. */
+    /** Returns the space in which an attempt that has been found has put its obstacle; null if that would be one too many. */
     SearchSpace after(MoveAttempt attempt) {
         SearchSpace from = attempt.space();
         LatticePose pose = attempt.instance().transfer().last();
         List<LatticePose> key = from.key();
         key.set(attempt.movable(), pose);
         SearchSpace space = known.get(key);
-        if (space == null) {
+        if (space == null && spaces.size() < moving.spaces()) {
             space = from.after(spaces.size(), attempt.movable(), pose, costs);
             spaces.add(space);
             known.put(key, space);

@@ -14,6 +14,7 @@ import troupe.unified.manipulation.Movable;
  * @param movables the obstacles that may be moved, ascending by number; none if nothing may
  * @param manipulation whether the actor's body takes part
  * @param slice the most expansions that one turn of the search buys an instance, at least 1
+ * @param spaces the most search spaces before the search gives up, at least 1
  * @param guide the region of the {@code paper} ordering's potentials, without any movable obstacle; empty if
  *     it is that of the search. The other orderings do not ask it
  * @param potential the potential over {@code guide} that expected paths descend in the {@code paper} ordering
@@ -23,6 +24,7 @@ public record Moving(
         List<Movable> movables,
         Journey.Manipulation manipulation,
         int slice,
+        int spaces,
         Optional<Region> guide,
         JourneyQuery.Potential potential) {
 
@@ -32,18 +34,22 @@ public record Moving(
             List.of(),
             Journey.Manipulation.FREE,
             Journey.DEFAULT_SLICE,
+            Journey.DEFAULT_SPACES,
             Optional.empty(),
             JourneyQuery.Potential.NONE);
 
     /**
      * Copies the list.
      *
-     * @throws IllegalArgumentException if the slice is below 1, or something may be moved and there is no scene
+     * @throws IllegalArgumentException if the slice or the limit of spaces is below 1, or something may be moved and there is no scene
      */
     public Moving {
         movables = List.copyOf(movables);
         if (slice < 1) {
             throw new IllegalArgumentException("slice=" + slice + "; needs at least 1");
+        }
+        if (spaces < 1) {
+            throw new IllegalArgumentException("limit.spaces=" + spaces + "; needs at least 1");
         }
         if (scene.isEmpty() && !movables.isEmpty()) {
             throw new IllegalArgumentException(movables.size() + " movable obstacles without a scene");
