@@ -1,5 +1,6 @@
 package troupe.app;
 
+import java.io.File;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -71,6 +72,8 @@ final class FileDialogs {
 
     private Optional<Path> ask(String ending, String words) {
         JFileChooser chooser = chooser(ending, words);
+        String offered = FileWords.plain(session.document(), look.texts()).replaceAll("[^\\p{L}\\p{N}. _-]+", "-");
+        chooser.setSelectedFile(new File(offered.endsWith("." + ending) ? offered : offered + "." + ending));
         if (chooser.showSaveDialog(frame) != JFileChooser.APPROVE_OPTION) {
             return Optional.empty();
         }

@@ -20,6 +20,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicReference;
 import javax.swing.RepaintManager;
 import troupe.app.document.SceneDocument;
 import troupe.app.plan.Plan;
@@ -39,6 +40,7 @@ import troupe.scene.SceneXml;
 final class StudioFixture implements AutoCloseable {
     private final PaintGuard guard = new PaintGuard();
     private final EventThreadWatch watch = new EventThreadWatch();
+    private final AtomicReference<Exception> uncaught = new AtomicReference<>();
     private final Map<String, String> settings = new HashMap<>();
     private final Robot robot;
     private final Path file;
@@ -54,6 +56,12 @@ final class StudioFixture implements AutoCloseable {
     StudioFixture(Path folder, Path scenes, Map<String, String> chosen)
             throws IOException, SceneException, AWTException {
         robot = new Robot();
+        Thread.setDefaultUncaughtExceptionHandler((thread, thrown) -> {
+            // what a test asks for in vain while it waits is an error, no exception
+            if (thrown instanceof Exception exception) {
+                uncaught.compareAndSet(null, exception);
+            }
+        });
         robot.setAutoDelay(12);
         file = scenes;
         Scene scene = SceneXml.read(file).scene();
@@ -305,14 +313,18 @@ final class StudioFixture implements AutoCloseable {
         return differing / (double) (a.getWidth() * a.getHeight());
     }
 
-    /** Closes the window and fails if work was done on the wrong thread. */
+    /** Closes the window and fails if work was done on the wrong thread, or something was thrown there. */
     @Override
     public void close() {
+        Thread.setDefaultUncaughtExceptionHandler(null);
         watch.close();
         OnEventThread.run(() -> {
             window.dispose();
             RepaintManager.setCurrentManager(new RepaintManager());
         });
+        if (uncaught.get() != null) {
+            throw new AssertionError("thrown in the window", uncaught.get());
+        }
         watch.found().ifPresent(frame -> {
             throw new AssertionError("on the event thread: " + frame);
         });

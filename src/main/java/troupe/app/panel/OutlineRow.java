@@ -17,6 +17,7 @@ import troupe.app.plan.Plan;
 import troupe.app.plan.Views;
 import troupe.app.session.OverlayChoice;
 import troupe.app.session.Session;
+import troupe.geometry.Box;
 import troupe.paint.CrowdPainter;
 import troupe.paint.Theme;
 import troupe.paint.Tone;
@@ -33,7 +34,7 @@ import troupe.scene.Severity;
 import troupe.scene.Task;
 
 /**
- * One row of the outline. Things whose ids differ in a number at the end only, three or more, share a row.
+ * One row of the outline. Things of one size whose ids differ in a number at the end only, three or more, share a row.
  *
  * @param ids what it stands for, empty for a heading or a layer
  * @param hint what to do about a problem
@@ -193,9 +194,13 @@ record OutlineRow(
         }
     }
 
+    /** Returns what is the same of things that share a row: the id but for its number, size and mobility. */
     private static String stem(Obstacle obstacle) {
         String stem = obstacle.id().replaceAll("-?\\d+$", "");
-        return stem.equals(obstacle.id()) ? "=" + stem : stem;
+        Box box = obstacle.outline().bounds();
+        return stem.equals(obstacle.id())
+                ? "=" + stem
+                : stem + obstacle.movable() + Math.round(box.width() * 100) + " " + Math.round(box.depth() * 100);
     }
 
     private static String groupName(Obstacle first) {

@@ -1,15 +1,19 @@
 package troupe.app.panel;
 
 import java.awt.Color;
+import java.awt.Container;
 import java.awt.Cursor;
 import java.awt.Dimension;
 import java.awt.GridBagLayout;
+import java.awt.Point;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.util.List;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import javax.swing.BorderFactory;
+import javax.swing.SwingUtilities;
+import javax.swing.Timer;
 import troupe.app.document.SceneEdits;
 import troupe.app.look.FlatButton;
 import troupe.app.look.Look;
@@ -35,9 +39,12 @@ import troupe.work.Blockage;
 public final class ProblemsSection extends Panel {
     private static final int MOST = 6;
     private static final int WIDEST = 228;
+    private static final int REST_MS = 600;
 
     private final transient Diagnosis diagnosis;
     private final transient Consumer<Box> zoom;
+    private final Timer later = new Timer(REST_MS, e -> changed());
+    private Point pointer;
 
     /** Makes the list; {@code zoom} shows a part of the scene. */
     public ProblemsSection(Look look, Session session, Diagnosis diagnosis, Consumer<Box> zoom) {
@@ -45,8 +52,23 @@ public final class ProblemsSection extends Panel {
         this.diagnosis = diagnosis;
         this.zoom = zoom;
         setName("problems");
-        observing(diagnosis.listeners().add(f -> refresh()));
+        later.setRepeats(false);
+        observing(diagnosis.listeners().add(f -> changed()));
+        observing(later::stop);
         refresh();
+    }
+
+    /** Shows what was found; while the pointer is busy in the panel, once it rests: what it is about to press stays. */
+    private void changed() {
+        Container panel = SwingUtilities.getAncestorOfClass(InspectorPanel.class, this);
+        Point now = panel == null ? null : panel.getMousePosition(true);
+        boolean busy = now != null && !now.equals(pointer);
+        pointer = now;
+        if (busy) {
+            later.restart();
+        } else {
+            refresh();
+        }
     }
 
     private void refresh() {

@@ -181,9 +181,7 @@ final class PropertiesSection extends Panel {
 
     private Entry entry(Property property, List<String> ids) {
         Entry entry = new Entry(look(), property.unit());
-        entry.onText(
-                text -> property.wrong(session().document().scene(), ids, text).map(look().texts()::tell),
-                text -> commit(property, ids, text));
+        entry.onText(text -> wrong(property, ids, text), text -> commit(property, ids, text));
         fields.put(property.key(), value -> {
             entry.setAbsent(absent(property, ids));
             entry.showText(value);
@@ -228,9 +226,21 @@ final class PropertiesSection extends Panel {
         return button;
     }
 
+    private Optional<String> wrong(Property property, List<String> ids, String text) {
+        return areThere(ids)
+                ? property.wrong(session().document().scene(), ids, text).map(look().texts()::tell)
+                : Optional.empty();
+    }
+
+    /** Tells whether the scene still has what a field is about: its thing may be undone while the field has the keys. */
+    private boolean areThere(List<String> ids) {
+        Scene scene = session().document().scene();
+        return ids.stream().allMatch(id -> Parts.isThere(scene, id));
+    }
+
     private void commit(Property property, List<String> ids, String text) {
         Scene scene = session().document().scene();
-        if (!ids.stream().allMatch(id -> Parts.isThere(scene, id))) {
+        if (!areThere(ids)) {
             return;
         }
         Optional<String> wrong = property.wrong(scene, ids, text);

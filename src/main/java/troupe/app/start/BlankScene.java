@@ -2,6 +2,7 @@ package troupe.app.start;
 
 import java.util.List;
 import troupe.app.document.SceneEdits;
+import troupe.app.look.Texts;
 import troupe.scene.Actor;
 import troupe.scene.Journey;
 import troupe.scene.Place;
@@ -35,27 +36,28 @@ public record BlankScene(String key, double width, double depth) {
     }
 
     /**
-     * Makes a scene of this size.
+     * Makes a scene of this size, with names in a language.
      *
      * @throws IllegalArgumentException if a side is outside {@value #LEAST} to {@value #MOST} metres
      */
-    public Scene scene() {
+    public Scene scene(Texts texts) {
         if (!isSide(width) || !isSide(depth)) {
             throw new IllegalArgumentException(
                     "scene of " + width + " by " + depth + " m; each side needs " + LEAST + " to " + MOST);
         }
         double middle = SceneEdits.rounded(depth / 2);
         Journey journey = Journey.of(
-                "journey",
-                "ann",
-                Place.of(SceneEdits.rounded(width / 6), middle),
-                Place.of(SceneEdits.rounded(width * 5 / 6), middle));
+                        "across",
+                        "ann",
+                        Place.of(SceneEdits.rounded(width / 6), middle),
+                        Place.of(SceneEdits.rounded(width * 5 / 6), middle))
+                .named("across", texts.get("new.across"));
         return new Scene(
                 "",
                 new World(width, depth, cell()),
                 List.of(),
                 List.of(),
-                List.of(Actor.standard("ann")),
+                List.of(Actor.standard("ann").named("ann", "Ann")),
                 List.of(journey));
     }
 

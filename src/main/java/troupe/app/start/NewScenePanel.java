@@ -48,7 +48,7 @@ public final class NewScenePanel extends JPanel {
         button.setName("new.create");
         button.addActionListener(e -> {
             button.setSelected(false);
-            create.accept(new BlankScene("", width, depth).scene());
+            create.accept(new BlankScene("", width, depth).scene(look.texts()));
         });
         own.add(Box.createHorizontalStrut(8));
         own.add(button);
@@ -67,7 +67,7 @@ public final class NewScenePanel extends JPanel {
         button.setName("new." + size.key());
         button.addActionListener(e -> {
             button.setSelected(false);
-            create.accept(size.scene());
+            create.accept(size.scene(look.texts()));
         });
         return button;
     }
