@@ -71,10 +71,15 @@ final class Preparation {
         });
         start = Standpoint.at(region, scene, journey.start(), "start");
         if (!movables.isEmpty() && start.configuration() >= 0 && !isPublished()) {
-            times.measure(StageTimes.SEARCH, () -> around = Optional.of(Reach.from(region, start.configuration())));
+            times.measure(StageTimes.SEARCH, () -> around = Optional.of(flooded()));
         }
         times.measure(StageTimes.REGION, () -> widest = movables.isEmpty() ? region : builder.widest());
         goal = Standpoint.at(widest, scene, journey.goal(), "goal");
+    }
+
+    private Reach flooded() {
+        int end = region.locate(journey.goal());
+        return end < 0 ? Reach.from(region, start.configuration()) : Reach.until(region, start.configuration(), end);
     }
 
     /** Tells whether {@link #build} has been called. */

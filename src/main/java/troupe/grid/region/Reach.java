@@ -7,7 +7,7 @@ import troupe.grid.GridFrame;
 import troupe.scene.Ability;
 
 /**
- * Holds the part of a region that can be reached from one configuration by legal steps, in any number and
+ * Holds what can be reached of a region from one configuration by legal steps, in any number and
  * with every counter ignored. Immutable.
  */
 public final class Reach {
@@ -39,6 +39,25 @@ public final class Reach {
     }
 
     /** Floods from an open configuration until one of some others is found; returns whether one was. */
+    /**
+     * Floods a region from a configuration until another one is reached: if it is, what is held may be a part of all that
+     * can be reached, and every part of it reaches the other one; else it is all. Cost O(reached).
+     *
+     * @throws IllegalArgumentException if there is no such configuration
+     */
+    public static Reach until(Region region, int start, int goal) {
+        if (start < 0 || start >= region.size()) {
+            throw new IllegalArgumentException("configuration " + start + "; needs one in [0, " + region.size() + ")");
+        }
+        Reach reach = new Reach(region);
+        if (region.open(start)) {
+            BitSet goals = new BitSet();
+            goals.set(goal);
+            reach.flood(start, goals);
+        }
+        return reach;
+    }
+
     private boolean flood(int start, BitSet others) {
         int[] queue = new int[256];
         int[] targets = new int[Region.MAX_NEIGHBOURS];

@@ -6,7 +6,7 @@ import troupe.grid.region.Reach;
 
 /**
  * Holds the configurations of a search space that can be reached from one of them by legal steps, counters
- * ignored. If the goal is not among them, they can be left only by moving something: by one of the manipulation
+ * ignored; where the goal is among them, maybe only some of them. If the goal is not among them, they can be left only by moving something: by one of the manipulation
  * instances that begin there, its exits.
  */
 final class Enclosure {

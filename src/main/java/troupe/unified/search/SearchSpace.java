@@ -175,10 +175,15 @@ public final class SearchSpace {
         enclosures.add(new Enclosure(reach, goal));
     }
 
-    /** Returns what a configuration hangs together with; flooded if it is not known. */
+    /**
+     * Returns what a configuration hangs together with; flooded if it is not known, the first time no farther than to the
+     * goal.
+     */
     Enclosure enclosure(int configuration, int goal) {
         return enclosure(configuration).orElseGet(() -> {
-            Enclosure flooded = new Enclosure(Reach.from(region, configuration), goal);
+            Reach reach =
+                    enclosures.isEmpty() ? Reach.until(region, configuration, goal) : Reach.from(region, configuration);
+            Enclosure flooded = new Enclosure(reach, goal);
             enclosures.add(flooded);
             return flooded;
         });
