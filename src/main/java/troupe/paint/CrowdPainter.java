@@ -38,8 +38,9 @@ public final class CrowdPainter {
     private final List<Shown> shown = new ArrayList<>();
     private final List<Flag> flags = new ArrayList<>();
 
-    /** A group's members: their channels, size and colour. */
-    private record Shown(int x, int y, int heading, int state, int count, double radius, Color colour) {}
+    /** A group's members: their channels, size, colour and mark. */
+    private record Shown(
+            int x, int y, int heading, int state, int count, double radius, Color colour, GroupMark mark) {}
 
     private record Flag(Place goal, Color colour) {}
 
@@ -59,7 +60,7 @@ public final class CrowdPainter {
         this.theme = theme;
         int[] number = new int[1];
         for (CrowdGroup group : crowd.groups()) {
-            collect(group, 1, level, null, number);
+            collect(group, 1, level, null, number, new int[1]);
         }
         this.trails = trails && shown.stream().mapToInt(Shown::count).sum() <= MOST_TRAILS;
     }
@@ -84,9 +85,14 @@ public final class CrowdPainter {
         return Shapes.colour(group.colour(), plain);
     }
 
-    private void collect(CrowdGroup group, int depth, int level, Color above, int[] number) {
-        Color colour = depth <= level || above == null ? own(group, above, number) : above;
-        group.goal().ifPresent(goal -> flags.add(new Flag(goal, colour)));
+    private void collect(CrowdGroup group, int depth, int level, Color above, int[] number, int[] marks) {
+        boolean own = depth <= level || above == null;
+        Color colour = own ? own(group, above, number) : above;
+        boolean last = depth >= level || group.parts().isEmpty();
+        marks[0] += own && last ? 1 : 0;
+        GroupMark mark = GroupMark.of(Math.max(0, marks[0] - 1));
+        Color readable = theme.readable(colour);
+        group.goal().ifPresent(goal -> flags.add(new Flag(goal, readable)));
         group.members().ifPresent(members -> {
             int x = frames.channel(group.id(), "x");
             if (x >= 0) {
@@ -97,11 +103,12 @@ public final class CrowdPainter {
                         frames.channel(group.id(), "state"),
                         members.count(),
                         members.radius(),
-                        colour));
+                        readable,
+                        mark));
             }
         });
         for (CrowdGroup part : group.parts()) {
-            collect(part, depth + 1, level, colour, number);
+            collect(part, depth + 1, level, colour, number, marks);
         }
     }
 
@@ -171,16 +178,8 @@ public final class CrowdPainter {
             if (r < 3) {
                 continue;
             }
-            double heading = frames.value(frame, group.heading(), m);
-            double cos = Math.cos(heading) * r;
-            double sin = -Math.sin(heading) * r;
-            Path2D arrow = new Path2D.Double();
-            arrow.moveTo(x + 0.95 * cos, y + 0.95 * sin);
-            arrow.lineTo(x - 0.55 * cos - 0.45 * sin, y - 0.55 * sin + 0.45 * cos);
-            arrow.lineTo(x - 0.55 * cos + 0.45 * sin, y - 0.55 * sin - 0.45 * cos);
-            arrow.closePath();
             g.setColor(edge);
-            g.fill(arrow);
+            group.mark().fill(g, x, y, r, frames.value(frame, group.heading(), m));
         }
     }
 

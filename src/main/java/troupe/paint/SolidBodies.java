@@ -8,6 +8,7 @@ import java.util.Optional;
 import troupe.run.Run;
 import troupe.scene.Actor;
 import troupe.scene.Avatar;
+import troupe.scene.Crowd;
 import troupe.scene.Encounter;
 import troupe.scene.Journey;
 import troupe.scene.Place;
@@ -37,7 +38,8 @@ final class SolidBodies {
         int unknown = 0;
         for (Track track : Track.of(run)) {
             if (!bodies.containsKey(track.owner())) {
-                Optional<Body> known = actor(track.owner()).or(() -> avatar(track.owner()));
+                Optional<Body> known =
+                        actor(track.owner()).or(() -> avatar(track.owner())).or(() -> member(track.owner()));
                 bodies.put(
                         track.owner(),
                         known.isPresent()
@@ -61,7 +63,25 @@ final class SolidBodies {
         return avatars.stream()
                 .filter(a -> a.id().equals(id))
                 .findFirst()
-                .map(a -> new Body(a.radius(), HEIGHT, Shapes.colour(a.colour(), theme.color(Tone.VAULT))));
+                .map(a -> new Body(
+                        a.radius(),
+                        HEIGHT,
+                        Shapes.colour(
+                                a.colour(), theme.color(a.kind() == Avatar.Kind.CERTAIN ? Tone.SIDESTEP : Tone.MOVE))));
+    }
+
+    /** Finds the body of the members of a group of a crowd, in the colour that they have in the plan. */
+    private Optional<Body> member(String id) {
+        if (!(run.scene().task(run.task()).orElse(null) instanceof Crowd crowd)) {
+            return Optional.empty();
+        }
+        return crowd.allGroups()
+                .filter(g -> g.id().equals(id) && g.members().isPresent())
+                .findFirst()
+                .map(g -> new Body(
+                        g.members().get().radius(),
+                        crowd.manner().bodyHeight(),
+                        theme.readable(CrowdPainter.colours(crowd).get(id))));
     }
 
     /** Returns the body of the owner of a track. */

@@ -11,6 +11,9 @@ public enum Theme {
     LIGHT,
     DARK;
 
+    /** The contrast of signs with what they stand on, WCAG 2.1, section 1.4.11. */
+    static final double LEAST_CONTRAST = 3;
+
     /** The width in pixels of a path drawn at scale 1. */
     public static final float PATH_WIDTH = 4;
 
@@ -38,6 +41,44 @@ public enum Theme {
     public Color color(Tone tone, double opacity) {
         Color c = color(tone);
         return new Color(c.getRed(), c.getGreen(), c.getBlue(), (int) Math.round(255 * opacity));
+    }
+
+    /**
+     * Returns how far two colours are apart in luminance, from 1 for none to 21 for black on white: the contrast ratio
+     * of WCAG 2.1, section 1.4.3.
+     */
+    public static double contrast(Color a, Color b) {
+        double light = Math.max(luminance(a), luminance(b));
+        double dark = Math.min(luminance(a), luminance(b));
+        return (light + 0.05) / (dark + 0.05);
+    }
+
+    private static double luminance(Color c) {
+        return 0.2126 * linear(c.getRed()) + 0.7152 * linear(c.getGreen()) + 0.0722 * linear(c.getBlue());
+    }
+
+    private static double linear(int part) {
+        double share = part / 255.0;
+        return share <= 0.03928 ? share / 12.92 : StrictMath.pow((share + 0.055) / 1.055, 2.4);
+    }
+
+    /**
+     * Returns a colour that a scene gives, changed towards that of text as little as makes it stand out from the floor
+     * by a contrast of {@value #LEAST_CONTRAST}.
+     */
+    public Color readable(Color given) {
+        Color shown = given;
+        for (int k = 1; k <= 20 && contrast(shown, color(Tone.FLOOR)) < LEAST_CONTRAST; k++) {
+            shown = Shapes.blend(given, color(Tone.TEXT), k / 20.0);
+        }
+        return shown;
+    }
+
+    /** Returns the colour of text on a fill: that of text or of ink, whichever stands out more. */
+    public Color ink(Color fill) {
+        Color text = color(Tone.TEXT);
+        Color ink = color(Tone.INK);
+        return contrast(text, fill) > contrast(ink, fill) ? text : ink;
     }
 
     /** Returns the colour of an ability. */

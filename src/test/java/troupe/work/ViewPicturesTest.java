@@ -44,7 +44,7 @@ class ViewPicturesTest {
     private static final Scenario CRATE =
             new Scenario("unified/courtyard", "to-the-fountain", new Box(5.5, 5.5, 12.5, 10.5), 8.2, 0);
     private static final Scenario ENCOUNTER = new Scenario("risk/crossing", "cross", new Box(1, 2, 7.5, 9.5), 2.2, 1);
-    private static final Scenario CROWD = new Scenario("crowd/fork", "fork", new Box(3, 9, 17, 21), 14, 0);
+    private static final Scenario CROWD = new Scenario("crowd/fork", "fork", new Box(4.5, 12.5, 15.5, 20.5), 14, 0);
     private static final Set<String> LINED = Set.of("potential-lines");
     private static final Map<String, Shown> MADE = new HashMap<>();
 

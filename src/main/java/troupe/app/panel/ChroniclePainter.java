@@ -1,5 +1,6 @@
 package troupe.app.panel;
 
+import java.awt.Color;
 import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.geom.Line2D;
@@ -41,6 +42,16 @@ final class ChroniclePainter {
         };
     }
 
+    /** Returns how high a mark is, as a share of the bar: what was done can be told apart without its colour. */
+    private static double share(String word) {
+        return switch (word) {
+            case "updated" -> 0.7;
+            case "waited" -> 0.45;
+            case "evaded" -> 0.25;
+            default -> 1;
+        };
+    }
+
     /** Paints the bar: what was done, or that something was simulated where nothing is told. */
     void paintMarks(Graphics2D g, List<Chronicle.Mark> marks, double duration) {
         FontMetrics metrics = g.getFontMetrics(look.bold());
@@ -48,12 +59,14 @@ final class ChroniclePainter {
         for (Chronicle.Mark mark : shown) {
             double from = x.applyAsDouble(mark.begin());
             double to = Math.max(from + 1.5, x.applyAsDouble(mark.end()));
-            g.setColor(look.color(tone(mark.word())));
-            g.fill(new RoundRectangle2D.Double(from, rows.barTop(), to - from, rows.barHeight(), 4, 4));
+            Color fill = look.color(tone(mark.word()));
+            g.setColor(fill);
+            double high = rows.barHeight() * share(mark.word());
+            g.fill(new RoundRectangle2D.Double(from, rows.barTop() + rows.barHeight() - high, to - from, high, 4, 4));
             String text = look.texts().get("action." + mark.word(), mark.word());
-            if (metrics.stringWidth(text) + TEXT_MARGIN <= to - from) {
+            if (share(mark.word()) == 1 && metrics.stringWidth(text) + TEXT_MARGIN <= to - from) {
                 g.setFont(look.bold());
-                g.setColor(look.color(Tone.INK));
+                g.setColor(look.theme().ink(fill));
                 int base = rows.barTop() + (rows.barHeight() + metrics.getAscent()) / 2 - 2;
                 g.drawString(text, (float) from + 8, base);
             }

@@ -184,7 +184,7 @@ final class TimelineView extends Drawn {
             for (String text : texts(run, stretch)) {
                 if (metrics.stringWidth(text) + look.px(14) <= to - from) {
                     g.setFont(look.bold());
-                    g.setColor(look.color(Tone.INK));
+                    g.setColor(look.theme().ink(color));
                     g.drawString(text, (float) from + look.px(8), barTop + (barHeight + metrics.getAscent()) / 2 - 2);
                     break;
                 }
