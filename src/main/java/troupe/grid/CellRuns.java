@@ -21,22 +21,27 @@ public final class CellRuns {
     private int length;
     private double[] crossings = new double[16];
 
+    /** Makes an empty list of runs of a grid. */
     public CellRuns(GridFrame frame) {
         this.frame = frame;
     }
 
+    /** Drops all runs. */
     public void clear() {
         length = 0;
     }
 
+    /** Returns the number of runs. */
     public int size() {
         return length / 2;
     }
 
+    /** Returns the index of the first cell of a run. */
     public int from(int run) {
         return runs[2 * run];
     }
 
+    /** Returns the index behind the last cell of a run. */
     public int to(int run) {
         return runs[2 * run + 1];
     }

@@ -16,6 +16,7 @@ public record Window(int col0, int row0, int cols, int rows) {
         return new Window(left, low, Math.max(0, right - left + 1), Math.max(0, high - low + 1));
     }
 
+    /** Returns the number of cells. */
     public int size() {
         return cols * rows;
     }
@@ -135,6 +136,7 @@ public record Window(int col0, int row0, int cols, int rows) {
         return (long) (cols + 2 * margin) * (rows + 2 * margin);
     }
 
+    /** Tells whether a cell lies in it. */
     public boolean holds(int col, int row) {
         return col >= col0 && col < col0 + cols && row >= row0 && row < row0 + rows;
     }

@@ -23,8 +23,11 @@ public record Avatar(
         double mobility,
         Kind kind,
         Motion motion) {
+    /** The radius of an avatar that names none, in metres. */
     public static final double DEFAULT_RADIUS = 0.25;
+    /** The top speed that predictions assume of an avatar that names none, in m/s. */
     public static final double DEFAULT_SPEED = 1.8;
+    /** The mobility of an avatar that names none: in a second its future blurs by twice its first blur. */
     public static final double DEFAULT_MOBILITY = 2;
     /** The pace of a scripted avatar that names none, in m/s. */
     public static final double DEFAULT_PACE = 1.2;

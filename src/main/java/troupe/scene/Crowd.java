@@ -26,6 +26,7 @@ public record Crowd(
         double seconds,
         long seed)
         implements Task {
+    /** How long a crowd that does not say so is simulated, in seconds. */
     public static final double DEFAULT_SECONDS = 180;
     /** The seconds of a step of the simulation; there is a frame for each. */
     public static final double STEP_SECONDS = 0.04;

@@ -27,9 +27,13 @@ public record Journey(
         int spaces,
         long seed)
         implements Task {
+    /** The headings of a journey that names none. */
     public static final int DEFAULT_HEADINGS = 24;
+    /** The most headings in which a moved obstacle may stand: one for each degree. */
     public static final int MOST_HEADINGS = 360;
+    /** The slice of a journey that names none, in expansions. */
     public static final int DEFAULT_SLICE = 2_000;
+    /** The limit of a journey that names none, in expansions. */
     public static final long DEFAULT_EXPANSIONS = 50_000_000;
 
     /** As many as a heap of 512 MB holds, even of rooms full of movable obstacles. */

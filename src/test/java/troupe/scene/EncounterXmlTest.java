@@ -71,8 +71,8 @@ class EncounterXmlTest {
     @Test
     void readsWhatItWrote() throws Exception {
         String text = SceneXml.write(scene(ODD));
-        assertEquals(scene(ODD), SceneXmlTest.read(text));
-        assertEquals(text, SceneXml.write(SceneXmlTest.read(text)));
+        assertEquals(scene(ODD), SceneTexts.read(text));
+        assertEquals(text, SceneXml.write(SceneTexts.read(text)));
         assertEquals(List.of(), SceneChecks.check(scene(ODD)));
     }
 
@@ -102,7 +102,7 @@ class EncounterXmlTest {
             String value = special.getOrDefault(key, "21");
             Scene changed = Settings.apply(scene, "e", key, value);
             assertTrue(!scene.equals(changed), key);
-            assertEquals(changed, SceneXmlTest.read(SceneXml.write(changed)), key);
+            assertEquals(changed, SceneTexts.read(SceneXml.write(changed)), key);
             assertEquals(value, Settings.values(changed, "e").get(key), key);
         }
         assertThrows(IllegalArgumentException.class, () -> Settings.apply(scene, "e", "history", "2.5"));
@@ -120,7 +120,7 @@ class EncounterXmlTest {
             {"<avatar id=\"a\" start=\"1,1\"><head to=\"2,2\" at=\"3\"/><head to=\"2,2\" at=\"2\"/></avatar>", "2 s"},
             {"<avatar id=\"a\"><track points=\"1,1,1 1,2,2\"/></avatar>", "not later"},
         }) {
-            List<Problem> found = SceneChecks.check(SceneXmlTest.read(wrapped(wrong[0])));
+            List<Problem> found = SceneChecks.check(SceneTexts.read(wrapped(wrong[0])));
             assertTrue(found.stream().anyMatch(p -> p.describe().contains(wrong[1])), wrong[0] + ": " + found);
         }
     }
@@ -135,7 +135,7 @@ class EncounterXmlTest {
             {"<tracks file=\"x.csv\"/>", "no folder"},
             {"<avatar id=\"a\" start=\"1,1\" kind=\"odd\"/>", "kind"},
         }) {
-            SceneException e = assertThrows(SceneException.class, () -> SceneXmlTest.read(wrapped(wrong[0])), wrong[0]);
+            SceneException e = assertThrows(SceneException.class, () -> SceneTexts.read(wrapped(wrong[0])), wrong[0]);
             assertTrue(e.getMessage().contains(wrong[1]), wrong[0] + ": " + e.getMessage());
         }
     }

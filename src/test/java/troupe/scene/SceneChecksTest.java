@@ -12,7 +12,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 class SceneChecksTest {
 
     private static List<Problem> problems(String body) throws Exception {
-        return SceneChecks.check(SceneXmlTest.read(
+        return SceneChecks.check(SceneTexts.read(
                 "<scene xmlns=\"urn:troupe:scene:1\">\n<world width=\"10\" depth=\"8\"/>\n" + body + "\n</scene>"));
     }
 
@@ -102,7 +102,7 @@ class SceneChecksTest {
                 "width=\"1e-9\" depth=\"1e-9\"",
                 "width=\"1e300\" depth=\"1e300\" cell=\"1\"")) {
             List<Problem> found = SceneChecks.check(
-                    SceneXmlTest.read("<scene xmlns=\"urn:troupe:scene:1\"><world " + world + "/></scene>"));
+                    SceneTexts.read("<scene xmlns=\"urn:troupe:scene:1\"><world " + world + "/></scene>"));
             assertTrue(found.stream().anyMatch(p -> p.severity() == Severity.ERROR), world);
         }
     }
@@ -161,7 +161,7 @@ class SceneChecksTest {
 
     @Test
     void refusesAGridThatDoesNotFitAndNamesACellThatDoes() throws Exception {
-        Scene huge = SceneXmlTest.read("<scene xmlns=\"urn:troupe:scene:1\"><world width=\"1000\" depth=\"1000\""
+        Scene huge = SceneTexts.read("<scene xmlns=\"urn:troupe:scene:1\"><world width=\"1000\" depth=\"1000\""
                 + " cell=\"0.0001\"/></scene>");
         List<Problem> found = SceneChecks.check(huge);
         assertEquals(1, found.size());

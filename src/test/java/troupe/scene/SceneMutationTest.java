@@ -43,7 +43,7 @@ class SceneMutationTest {
 
     @Test
     void onlyDeclaredErrorsComeOfDamagedFiles() throws IOException {
-        byte[][] files = SceneXmlTest.samples().map(SceneMutationTest::bytes).toArray(byte[][]::new);
+        byte[][] files = SceneTexts.samples().map(SceneMutationTest::bytes).toArray(byte[][]::new);
         Random random = new Random(SEED);
         int read = 0;
         for (int round = 0; round < ROUNDS; round++) {
@@ -54,7 +54,7 @@ class SceneMutationTest {
                         .forEach(p -> assertFalse(p.message().isBlank()));
                 assertEquals(
                         source.scene(),
-                        SceneXmlTest.read(SceneXml.write(source.scene())),
+                        SceneTexts.read(SceneXml.write(source.scene())),
                         () -> "seed " + SEED + " gave a scene that does not survive writing");
                 read++;
             } catch (SceneException e) {

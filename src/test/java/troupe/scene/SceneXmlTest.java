@@ -7,7 +7,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -22,27 +21,16 @@ import troupe.geometry.Polygon;
 
 class SceneXmlTest {
 
-    static Stream<Path> samples() throws IOException {
-        return Files.list(Path.of("scenes/unified"))
-                .filter(p -> p.toString().endsWith(".xml"))
-                .sorted();
-    }
-
-    static Scene read(String text) throws SceneException, IOException {
-        return SceneXml.read(new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)), "test.xml")
-                .scene();
-    }
-
     private static String scene(String body) {
         return "<scene xmlns=\"urn:troupe:scene:1\">\n<world width=\"10\" depth=\"8\"/>\n" + body + "\n</scene>";
     }
 
     private static SceneException refused(String text) {
-        return assertThrows(SceneException.class, () -> read(text));
+        return assertThrows(SceneException.class, () -> SceneTexts.read(text));
     }
 
     @ParameterizedTest
-    @MethodSource("samples")
+    @MethodSource("troupe.scene.SceneTexts#samples")
     void samplesAreInTheFormOfTheWriterAndFreeOfProblems(Path file) throws Exception {
         SceneSource source = SceneXml.read(file);
         assertEquals(Files.readString(file), SceneXml.write(source.scene()));
@@ -94,8 +82,8 @@ class SceneXmlTest {
                                 -5),
                         Journey.of("l", "a", Place.of(1, 2), Place.of(3, 4)).with(new Ordering.Bounded(1.5))));
         String text = SceneXml.write(scene);
-        assertEquals(scene, read(text));
-        assertEquals(text, SceneXml.write(read(text)));
+        assertEquals(scene, SceneTexts.read(text));
+        assertEquals(text, SceneXml.write(SceneTexts.read(text)));
     }
 
     @Test
@@ -222,7 +210,7 @@ class SceneXmlTest {
     void theExampleOfTheManualIsASceneWithoutProblems() throws Exception {
         String manual = Files.readString(Path.of("docs/scene-format.md"));
         int from = manual.indexOf("```xml\n") + 7;
-        Scene scene = read(manual.substring(from, manual.indexOf("```", from)));
+        Scene scene = SceneTexts.read(manual.substring(from, manual.indexOf("```", from)));
         assertEquals(List.of(), SceneChecks.check(scene));
         assertEquals(3, scene.obstacles().size());
     }

@@ -42,7 +42,7 @@ class SettingsTest {
         for (String key : Settings.keys(SCENE.task("j").orElseThrow())) {
             Scene changed = Settings.apply(SCENE, "j", key, special.getOrDefault(key, "77"));
             assertNotEquals(SCENE, changed, key);
-            assertEquals(changed, SceneXmlTest.read(SceneXml.write(changed)), key);
+            assertEquals(changed, SceneTexts.read(SceneXml.write(changed)), key);
             String told = Settings.values(changed, "j").get(key);
             assertEquals(special.getOrDefault(key, "77"), told, key);
         }

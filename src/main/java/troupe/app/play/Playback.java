@@ -8,9 +8,10 @@ import troupe.app.document.Listeners;
  * clock of its own; {@link #advance} is told how much time has passed. Belongs to the event thread.
  */
 public final class Playback {
-    /** The slowest and the fastest speed, in seconds of the run per second. */
+    /** The slowest speed, in seconds of the run per second. */
     public static final double MIN_SPEED = 0.1;
 
+    /** The fastest speed, in seconds of the run per second. */
     public static final double MAX_SPEED = 100;
 
     /** The speeds that are offered. */

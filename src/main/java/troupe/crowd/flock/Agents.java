@@ -14,17 +14,29 @@ public final class Agents {
     /** At its goal, where it stays. */
     public static final byte ARRIVED = 2;
 
+    /** The number of agents. */
     public final int count;
+    /** Where each agent is, in metres. */
     public final double[] x;
+    /** Where each agent is, in metres. */
     public final double[] y;
+    /** The elevation of the floor under each agent, in metres. */
     public final double[] z;
+    /** The span on which each agent stands. */
     public final int[] span;
+    /** Where each agent faces, a unit vector. */
     public final double[] headingX;
+    /** Where each agent faces, a unit vector. */
     public final double[] headingY;
+    /** How fast each agent goes, in m/s. */
     public final double[] speed;
+    /** The radius of each agent, in metres. */
     public final double[] radius;
+    /** The most that each agent goes, in m/s. */
     public final double[] topSpeed;
+    /** The group that each agent belongs to, in the order of the tree. */
     public final int[] leaf;
+    /** What leads each agent to its goal. */
     public final Way[] way;
     /** What the span says on which an agent stands: whether it is roomy there, what is left to go, and where to. */
     final boolean[] roomy;
@@ -46,12 +58,14 @@ public final class Agents {
     /** The distance from the goal in metres of potential within which an agent may settle. */
     public final double[] near;
 
+    /** {@link #WALKING}, {@link #WAITING} or {@link #ARRIVED}. */
     public final byte[] state;
     /** The steps for which an agent has hardly moved. */
     public final int[] still;
-    /** The lowest potential that an agent has come to, and the steps since then. */
+    /** The lowest potential that an agent has come to. */
     public final float[] lowest;
 
+    /** The steps since an agent came to its lowest potential. */
     public final int[] stalled;
     /** The steps for which an agent still gives way, going back; 0 if it does not. */
     public final int[] yielding;

@@ -70,10 +70,12 @@ public final class Column {
         return tops.length;
     }
 
+    /** Returns the elevation in metres at which a stretch begins, counted from the lowest. */
     public double bottom(int i) {
         return bottoms[i];
     }
 
+    /** Returns the elevation in metres at which a stretch ends. */
     public double top(int i) {
         return tops[i];
     }

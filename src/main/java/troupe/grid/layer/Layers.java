@@ -25,6 +25,7 @@ public final class Layers {
     private double[] highest = new double[16];
     private int count;
 
+    /** Prepares the layers of spans between which a body of so many metres steps up or down at most so many. */
     public Layers(Spans spans, double stepHeight, double bodyHeight) {
         this.spans = spans;
         this.stepHeight = stepHeight;

@@ -173,14 +173,17 @@ public final class Spans {
         return columns;
     }
 
+    /** Returns the number of the floor of a column's span among {@link #elevation}, -1 if there is no such span. */
     public int level(int column, int sheet) {
         return levels[column * sheets + sheet];
     }
 
+    /** Returns the elevation of the floor of a span in metres. */
     public double floor(int column, int sheet) {
         return floors[column * sheets + sheet];
     }
 
+    /** Returns the elevation of the ceiling of a span in metres, infinite under the open sky. */
     public double ceiling(int column, int sheet) {
         return ceilings[column * sheets + sheet];
     }

@@ -27,6 +27,7 @@ import troupe.scene.Actor;
  * once, by one thread.
  */
 public final class Motion {
+    /** Frames per second. */
     public static final double RATE = 25;
     /** The most seconds that a run can hold, less what turning may take. */
     public static final double LONGEST = 86_000;
