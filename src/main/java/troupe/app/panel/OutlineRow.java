@@ -194,13 +194,16 @@ record OutlineRow(
         }
     }
 
-    /** Returns what is the same of things that share a row: the id but for its number, size and mobility. */
+    /** Returns what is the same of things that share a row: the id but for its number, mobility, and label or size. */
     private static String stem(Obstacle obstacle) {
         String stem = obstacle.id().replaceAll("-?\\d+$", "");
+        if (stem.equals(obstacle.id())) {
+            return "=" + stem;
+        }
         Box box = obstacle.outline().bounds();
-        return stem.equals(obstacle.id())
-                ? "=" + stem
-                : stem + obstacle.movable() + Math.round(box.width() * 100) + " " + Math.round(box.depth() * 100);
+        boolean named = !obstacle.label().isEmpty() && !obstacle.label().matches(".*\\d");
+        String alike = named ? obstacle.label() : Math.round(box.width() * 100) + " " + Math.round(box.depth() * 100);
+        return stem + " " + obstacle.movable() + " " + alike;
     }
 
     private static String groupName(Obstacle first) {

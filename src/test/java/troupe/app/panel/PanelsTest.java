@@ -25,6 +25,7 @@ import troupe.app.OnEventThread;
 import troupe.app.Scenes;
 import troupe.app.ScriptedSteps;
 import troupe.app.Studios;
+import troupe.app.document.NewElements;
 import troupe.app.document.SceneDocument;
 import troupe.app.look.Look;
 import troupe.app.look.Texts;
@@ -35,6 +36,7 @@ import troupe.scene.Ability;
 import troupe.scene.Journey;
 import troupe.scene.Obstacle;
 import troupe.scene.Preferences;
+import troupe.scene.Scene;
 
 /** Works the panels without a window. */
 class PanelsTest {
@@ -232,5 +234,24 @@ class PanelsTest {
         });
         JLabel happened = find(status, "status.happened");
         Await.until("planned", () -> happened.getText().matches("Planned in \\d+(\\.\\d)? ms"));
+    }
+
+    @Test
+    void onlyThingsThatAreAlikeShareARowOfTheOutline() {
+        begin(new ScriptedSteps(1, () -> {}));
+        OnEventThread.run(() -> {
+            Scene scene = session.document().scene();
+            for (int i = 1; i <= 3; i++) {
+                scene = NewElements.with(scene, Scenes.box("planter-" + i, i, 5, 0.5));
+                scene = NewElements.with(scene, Scenes.box("obstacle-" + i, i, 1, 0.2 + 0.1 * i));
+            }
+            session.document().commit("Add", scene);
+            List<String> names = OutlineRow.of(session, look).stream()
+                    .filter(row -> row.kind() == OutlineRow.Kind.THING)
+                    .map(row -> row.name() + " " + row.ids().size())
+                    .toList();
+            assertTrue(names.contains("Planter 3"), names.toString());
+            assertTrue(names.contains("obstacle-2 1"), names.toString());
+        });
     }
 }
