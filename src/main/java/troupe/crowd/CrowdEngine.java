@@ -106,7 +106,6 @@ public final class CrowdEngine implements Simulation {
                     return;
                 }
             }
-            measureGoals();
             splitting = new Splitting(crowd, kin, ground, agents, world);
             flock = new Flock(crowd, kin, agents, world[0], world[1], sweep);
         } catch (GridLimitException tooMuch) {
@@ -124,21 +123,6 @@ public final class CrowdEngine implements Simulation {
             agents.leaf[leaf.first() + m] = number;
         }
         return spawning.place(leaf, way.get());
-    }
-
-    /** Finds how far from each goal its agents may settle: the radius of a disc that holds them at half its area. */
-    private void measureGoals() {
-        for (int i = 0; i < agents.count; i++) {
-            double area = 0;
-            for (Kin.Leaf leaf : kin.leaves()) {
-                if (agents.way[leaf.first()].goal() == agents.way[i].goal()) {
-                    area += leaf.members().count()
-                            * leaf.members().radius()
-                            * leaf.members().radius();
-                }
-            }
-            agents.near[i] = Math.sqrt(area / 0.5);
-        }
     }
 
     private void takeInputs() {

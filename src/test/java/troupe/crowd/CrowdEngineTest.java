@@ -138,4 +138,22 @@ class CrowdEngineTest {
         // 9 to 12 m at 1.3 m/s, and what passing each other takes
         assertTrue(mean > 6 && mean < 20, "mean " + mean);
     }
+
+    /** A door once locked: those who had settled in a queue before the goal shut it for all others. */
+    @Test
+    void everybodyPassesTheDoorAndSettlesBehindIt() {
+        CrowdGroup all = CrowdGroup.of(
+                "all", Place.of(15, 5), CrowdGroup.Members.of(120, Polygon.rectangle(0.5, 0.5, 9.5, 9.5)));
+        Crowd crowd = Crowd.of("leave", List.of(all)).lasting(200);
+        List<Obstacle> walls = List.of(
+                new Obstacle("below", "", Polygon.rectangle(10, 0, 10.4, 4.5), 0, 3, false, 20, ""),
+                new Obstacle("above", "", Polygon.rectangle(10, 5.5, 10.4, 10), 0, 3, false, 20, ""));
+        Run run = run(new Scene("", new World(20, 10, 0.1), walls, List.of(), List.of(), List.of(crowd)));
+        assertEquals(Outcome.FOUND, run.outcome(), run.report().values().toString());
+        assertEquals(Optional.empty(), new Legality(run).fault());
+        int x = run.frames().channel("all", "x");
+        for (int m = 0; m < 120; m++) {
+            assertTrue(run.frames().value(run.frames().count() - 1, x, m) > 10.4, "agent " + m);
+        }
+    }
 }

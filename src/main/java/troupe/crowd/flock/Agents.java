@@ -40,6 +40,8 @@ public final class Agents {
     public final Way[] way;
     /** What the span says on which an agent stands: whether it is roomy there, what is left to go, and where to. */
     final boolean[] roomy;
+    /** Whether it stands in a door or the like, where nobody can pass it. */
+    final boolean[] tight;
 
     final float[] left;
     /** The place that an agent goes for, and how many more spans it keeps to it. */
@@ -54,9 +56,6 @@ public final class Agents {
     final double[] pathY;
     /** The rank of each agent's goal: the higher has the right of way. */
     final long[] rank;
-
-    /** The distance from the goal in metres of potential within which an agent may settle. */
-    public final double[] near;
 
     /** {@link #WALKING}, {@link #WAITING} or {@link #ARRIVED}. */
     public final byte[] state;
@@ -87,6 +86,7 @@ public final class Agents {
         leaf = new int[count];
         way = new Way[count];
         roomy = new boolean[count];
+        tight = new boolean[count];
         left = new float[count];
         targetX = new double[count];
         targetY = new double[count];
@@ -94,7 +94,6 @@ public final class Agents {
         pathX = new double[count];
         pathY = new double[count];
         rank = new long[count];
-        near = new double[count];
         state = new byte[count];
         still = new int[count];
         lowest = new float[count];

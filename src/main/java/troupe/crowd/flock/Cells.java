@@ -46,6 +46,7 @@ final class Cells {
     final double[] pathY;
     final int[] span;
     final boolean[] roomy;
+    final boolean[] tight;
     final int[] still;
     /** The goal of each agent, and its rank: the higher has the right of way. */
     final long[] rank;
@@ -84,6 +85,7 @@ final class Cells {
         comingY = new double[count];
         span = new int[count];
         roomy = new boolean[count];
+        tight = new boolean[count];
         still = new int[count];
         pathX = new double[count];
         pathY = new double[count];
@@ -125,6 +127,7 @@ final class Cells {
         yielding[place] = agents.yielding[i];
         span[place] = agents.span[i];
         roomy[place] = agents.roomy[i];
+        tight[place] = agents.tight[i];
         still[place] = agents.still[i];
         boolean goes = agents.state[i] != Agents.ARRIVED;
         pathX[place] = goes ? agents.pathX[i] : 0;

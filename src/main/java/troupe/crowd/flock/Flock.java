@@ -14,12 +14,16 @@ public final class Flock {
     /** The share of its distance for which an agent keeps to a place that it goes for, before it looks again. */
     private static final double KEPT = 0.2;
 
+    /** The radii of clearance at which others can pass somebody. */
+    private static final double PASSED = 4;
+
     private final Agents agents;
     private final Sweep sweep;
     private final Cells cells;
     private final Proposals proposals;
     private final Steering steering;
     private final Settling settling;
+    private final Arrival arrival;
     private final long seed;
     private final double cell;
     private final boolean paper;
@@ -44,6 +48,7 @@ public final class Flock {
         this.proposals = new Proposals(agents.count);
         this.steering = new Steering(crowd, kin, cells, proposals, agents);
         this.settling = new Settling(cells, proposals, agents, crowd.manner().bodyHeight(), paper);
+        this.arrival = new Arrival(kin, agents, cells, proposals, paper);
         this.pull = new Pull(crowd);
         for (int i = 0; i < agents.count; i++) {
             agents.rank[i] = RightOfWay.rank(seed, agents.way[i].goal());
@@ -55,10 +60,15 @@ public final class Flock {
     /** Tells that potentials have been set anew: everybody looks where to go now. */
     public void renewed() {
         for (int i = 0; i < agents.count; i++) {
-            agents.keeps[i] = 0;
-            tread(i);
-            aim(i);
+            look(i);
         }
+    }
+
+    /** Lets an agent look at once where to go. */
+    private void look(int i) {
+        agents.keeps[i] = 0;
+        tread(i);
+        aim(i);
     }
 
     /** Reads what the span says that an agent has come to stand on; now and then it looks where to go from there. */
@@ -67,6 +77,7 @@ public final class Flock {
         Terrain terrain = way.terrain();
         int span = agents.span[i];
         agents.roomy[i] = terrain.roomy(span);
+        agents.tight[i] = terrain.clearance(span) < PASSED * agents.radius[i];
         agents.left[i] = way.potential(span);
         if (paper) {
             int d = way.next(span);
@@ -74,7 +85,7 @@ public final class Flock {
             agents.pathX[i] = d < 0 ? 0 : GridFrame.dx(d) * length;
             agents.pathY[i] = d < 0 ? 0 : GridFrame.dy(d) * length;
         } else if (!agents.roomy[i] || --agents.keeps[i] < 0) {
-            int target = way.towards(span);
+            int target = arrival.target(i);
             agents.targetX[i] = terrain.region().x(target);
             agents.targetY[i] = terrain.region().y(target);
             double dx = agents.targetX[i] - terrain.region().x(span);
@@ -118,6 +129,7 @@ public final class Flock {
         sweep.over(agents.count, (from, to) -> visits.add(steering.run(from, to)));
         settling.settle(sweep, seed, step);
         sweep.lightly(agents.count, (from, to) -> commit(from, to, (int) step));
+        arrival.handOut(this::look);
         for (int i = 0; i < agents.count; i++) {
             moves += agents.state[i] == Agents.ARRIVED ? 0 : 1;
         }
@@ -155,30 +167,14 @@ public final class Flock {
             agents.speed[i] = moved;
             agents.still[i] = moved < 0.1 * agents.topSpeed[i] ? agents.still[i] + 1 : Math.max(0, agents.still[i] - 2);
             agents.yielding[i] = proposals.yielding[k];
-            progress(i);
+            arrival.progress(i);
             agents.state[i] = agents.still[i] >= Steering.PATIENCE ? Agents.WAITING : Agents.WALKING;
-            if (arrives(k, i)) {
+            if (arrival.arrives(k, i)) {
                 agents.state[i] = Agents.ARRIVED;
                 agents.arrival[i] = step;
                 agents.speed[i] = 0;
             }
         }
-    }
-
-    /**
-     * Tells whether an agent stays for good: at its goal, or near it when it can get no nearer, or behind others
-     * that have arrived.
-     */
-    private boolean arrives(int k, int i) {
-        double left = agents.left[i];
-        if (left <= agents.radius[i]) {
-            return true;
-        }
-        if (left <= agents.near[i] && (agents.still[i] >= 10 || agents.stalled[i] >= 25)) {
-            return true;
-        }
-        return left <= 2 * agents.near[i] && agents.stalled[i] >= 100
-                || left <= 3 * agents.near[i] + 2 && agents.stalled[i] >= 50 && touchesArrived(k, i);
     }
 
     /** Turns an agent to where it has moved; one that stands turns slowly to where it would go. */
@@ -193,28 +189,5 @@ public final class Flock {
         double norm = Math.sqrt(x * x + y * y);
         agents.headingX[i] = norm > 1e-3 ? x / norm : toX;
         agents.headingY[i] = norm > 1e-3 ? y / norm : toY;
-    }
-
-    /** Notes whether an agent has come nearer to its goal. */
-    private void progress(int i) {
-        float left = agents.left[i];
-        if (left < agents.lowest[i] - 0.05f) {
-            agents.lowest[i] = left;
-            agents.stalled[i] = 0;
-        } else {
-            agents.stalled[i]++;
-        }
-    }
-
-    private boolean touchesArrived(int k, int i) {
-        int count = Math.min(Proposals.CONTACTS, proposals.contactCount[k]);
-        for (int c = 0; c < count; c++) {
-            int j = proposals.contacts[k * Proposals.CONTACTS + c];
-            // the state of the step before, so that the order of the agents does not matter
-            if (cells.state[j] == Agents.ARRIVED && agents.way[cells.agent[j]].goal() == agents.way[i].goal()) {
-                return true;
-            }
-        }
-        return false;
     }
 }

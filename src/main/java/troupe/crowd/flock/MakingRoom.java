@@ -27,7 +27,7 @@ final class MakingRoom {
         this.nearHeight = nearHeight;
     }
 
-    /** Keeps one that has arrived where it is, unless somebody with another goal is stuck beside it: then it steps aside. */
+    /** Keeps one that has arrived where it is, unless somebody is stuck beside it, in a door or with another goal: then it steps aside. */
     void run(int k, long step) {
         steps.stay(k);
         if (Double.isNaN(nearHeight)) {
@@ -57,7 +57,7 @@ final class MakingRoom {
                     }
                     count++;
                 }
-                if (cells.state[j] == Agents.WAITING && cells.rank[j] != cells.rank[k]) {
+                if (cells.state[j] == Agents.WAITING && (cells.tight[j] || cells.rank[j] != cells.rank[k])) {
                     double along = dx * cells.pathX[j] + dy * cells.pathY[j];
                     asideX += dx - 0.7 * along * cells.pathX[j];
                     asideY += dy - 0.7 * along * cells.pathY[j];

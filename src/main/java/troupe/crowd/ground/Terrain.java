@@ -212,7 +212,7 @@ public final class Terrain {
     }
 
     /** Tells whether the straight way between two spans' cells leads over legal steps only. Cost O(its cells). */
-    boolean sees(int from, int to) {
+    public boolean sees(int from, int to) {
         int a = from % cells;
         int b = to % cells;
         int col = frame.col(a);

@@ -1,6 +1,7 @@
 package troupe.crowd.ground;
 
 import java.util.Arrays;
+import java.util.stream.IntStream;
 import troupe.grid.GridFrame;
 import troupe.grid.field.Nf2;
 import troupe.scene.Journey;
@@ -17,6 +18,7 @@ import troupe.scene.Journey;
 public final class Way {
     private static final double AHEAD = 4;
     private static final int UNKNOWN = -1;
+    private static final double RING = 0.1;
 
     private final Terrain terrain;
     private final int goal;
@@ -109,6 +111,41 @@ public final class Way {
     /** Returns NF2's potential of a span in metres, whatever is set; 0 at the goal, infinite where it cannot be reached. */
     public float potential(int q) {
         return left[q];
+    }
+
+    /**
+     * Returns the least potential of NF2 in metres within which there is so much ground; that of the farthest place if
+     * there is less. Counted in steps of {@value #RING} m. Cost O(spans).
+     *
+     * @param area in square metres
+     */
+    public double holding(double area) {
+        double most = 0;
+        for (float value : left) {
+            most = value == Float.POSITIVE_INFINITY ? most : Math.max(most, value);
+        }
+        int[] counts = new int[(int) (most / RING) + 1];
+        for (float value : left) {
+            if (value != Float.POSITIVE_INFINITY) {
+                counts[(int) (value / RING)]++;
+            }
+        }
+        double cell = terrain.region().frame().cell();
+        double ground = 0;
+        for (int ring = 0; ring < counts.length; ring++) {
+            ground += counts[ring] * cell * cell;
+            if (ground >= area) {
+                return (ring + 1) * RING;
+            }
+        }
+        return most;
+    }
+
+    /** Returns the spans within a potential of NF2 in metres, ascending; at least the goal. Cost O(spans). */
+    public int[] around(double reach) {
+        return IntStream.range(0, left.length)
+                .filter(q -> q == goal || left[q] <= reach)
+                .toArray();
     }
 
     /** Returns the direction of {@link GridFrame} to the lowest neighbour of a span, -1 at the goal. */
