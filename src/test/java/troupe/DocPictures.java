@@ -40,6 +40,7 @@ class DocPictures {
         System.setProperty("awt.useSystemAAFontSettings", "on");
         Files.createDirectories(FOLDER);
         plan("courtyard", "to-the-fountain", 0.69);
+        dark("courtyard", "to-the-fountain", 0.69);
         plan("layers", "over-the-bridge", 0.45);
         plan("layers", "under-the-bridge", 0.5);
         plan("apartment", "kitchen-to-bedroom", 0.4);
@@ -62,12 +63,17 @@ class DocPictures {
         return Tasks.start(scene, task).finish();
     }
 
-    /** Draws a plan at a share of its time, in both themes, with skeleton and contour lines. */
+    /** Draws a plan at a share of its time. */
     private static void plan(String name, String task, double share) throws SceneException, IOException {
+        Run run = run(scene(name), task);
+        write(Picture.of(run, share * run.frames().duration()), name + "-" + task);
+    }
+
+    /** Draws a plan in the dark theme, with skeleton and contour lines. */
+    private static void dark(String name, String task, double share) throws SceneException, IOException {
         Scene scene = scene(name);
         Run run = run(scene, task);
         Picture picture = Picture.of(run, share * run.frames().duration());
-        write(picture, name + "-" + task);
         write(
                 picture.with(overlays(scene, task, List.of("potential", "skeleton")))
                         .outlined()

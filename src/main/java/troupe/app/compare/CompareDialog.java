@@ -63,7 +63,10 @@ final class CompareDialog {
         all.setBorder(BorderFactory.createEmptyBorder(14, 16, 14, 16));
         all.add(names, BorderLayout.NORTH);
         all.add(ThinScrollBarUI.scroll(table, look), BorderLayout.CENTER);
-        all.add(new Prose(look, look.text("compare.marks")), BorderLayout.SOUTH);
+        Prose marks = new Prose(look, look.text("compare.marks"));
+        marks.setOpaque(false);
+        marks.setForeground(look.color(Tone.DIM));
+        all.add(marks, BorderLayout.SOUTH);
         ((javax.swing.JScrollPane) ((BorderLayout) all.getLayout()).getLayoutComponent(BorderLayout.CENTER))
                 .setColumnHeaderView(table.getTableHeader());
         dialog.setContentPane(new Scaling(look::scale).apply(all));

@@ -70,8 +70,9 @@ record OutlineRow(
         addLayers(rows, session, look);
         rows.add(heading(look, "outline.actors"));
         for (Actor actor : scene.actors()) {
-            String note =
-                    look.texts().format("outline.abilities", actor.abilities().size());
+            String note = actor.abilities().size() == 1
+                    ? look.text("outline.ability")
+                    : look.texts().format("outline.abilities", actor.abilities().size());
             rows.add(thing(List.of(actor.id()), actor.name(), note, look.color(Tone.WALK), true));
         }
         rows.add(heading(look, "outline.obstacles"));
