@@ -436,18 +436,8 @@ final class PaintedTexts extends Graphics2D {
 
     @Override
     public boolean drawImage(
-            Image image,
-            int dx1,
-            int dy1,
-            int dx2,
-            int dy2,
-            int sx1,
-            int sy1,
-            int sx2,
-            int sy2,
-            Color behind,
-            ImageObserver observer) {
-        return to.drawImage(image, dx1, dy1, dx2, dy2, sx1, sy1, sx2, sy2, behind, observer);
+            Image i, int a, int b, int c, int d, int e, int f, int g, int h, Color behind, ImageObserver o) {
+        return to.drawImage(i, a, b, c, d, e, f, g, h, behind, o);
     }
 
     @Override
