@@ -84,7 +84,11 @@ class SimulationRobotTest extends RobotTest {
                 .orElseThrow();
         Avatar.Pointer pointer = (Avatar.Pointer) avatar.motion();
         Point from = studio.pixel(pointer.start().x(), pointer.start().y());
-        OnEventThread.run(() -> studio.session().playback().seek(0));
+        OnEventThread.run(() -> {
+            studio.session().playback().seek(0);
+            // slowly, so that a busy machine has moved the mouse before the actor is there
+            studio.session().playback().setSpeed(0.5);
+        });
         Frames before = alone.frames();
         int middle = before.count() / 2;
         Point to = studio.pixel(
@@ -92,8 +96,8 @@ class SimulationRobotTest extends RobotTest {
                 before.value(middle, before.channel(encounter.actor(), "y"), 0));
         studio.pressAndMove(studio.window().canvas(), from, to);
         Await.until(
-                "it has been steered for two seconds",
-                () -> studio.session().playback().time() > 2);
+                "it has been steered for a second",
+                () -> studio.session().playback().time() > 1);
         studio.release();
         awaitEnd();
         Run steered = run();
