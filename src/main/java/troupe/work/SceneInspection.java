@@ -12,11 +12,14 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
+import troupe.crowd.CrowdEngine;
+import troupe.crowd.flock.Sweep;
 import troupe.grid.GridLimitException;
 import troupe.grid.region.Region;
 import troupe.risk.plan.Ground;
 import troupe.scene.Ability;
 import troupe.scene.Actor;
+import troupe.scene.Crowd;
 import troupe.scene.Encounter;
 import troupe.scene.Journey;
 import troupe.scene.Obstacle;
@@ -27,6 +30,7 @@ import troupe.scene.SceneChecks;
 import troupe.scene.SceneSource;
 import troupe.scene.Severity;
 import troupe.scene.Task;
+import troupe.search.Outcome;
 import troupe.unified.manipulation.Movable;
 import troupe.unified.manipulation.Surroundings;
 
@@ -35,7 +39,7 @@ import troupe.unified.manipulation.Surroundings;
  * grid: a start or a goal that stands in an obstacle, or that no layer carries. A goal under movable obstacles is
  * fine where the actor of the journey may move them. Of an encounter also walls that keep start and goal apart, and
  * as warnings avatars that walk through obstacles or begin where the actor is. Movable obstacles that rest on
- * nothing are warned of.
+ * nothing are warned of. Of a crowd the first group whose goal nobody can stand at, or that has no room to begin.
  */
 public final class SceneInspection {
     private final Scene scene;
@@ -78,6 +82,8 @@ public final class SceneInspection {
                 inspection.journey(journey);
             } else if (task instanceof Encounter encounter) {
                 inspection.encounter(encounter);
+            } else if (task instanceof Crowd crowd) {
+                inspection.crowd(crowd);
             }
         }
         inspection.movables();
@@ -164,6 +170,16 @@ public final class SceneInspection {
                             p.cure())));
         } catch (GridLimitException tooMuch) {
             report(encounter, new Fault(tooMuch.found(), tooMuch.cure()));
+        }
+    }
+
+    /** Reports what keeps a crowd from beginning: a goal where nobody can stand, or a group without room. */
+    private void crowd(Crowd crowd) {
+        CrowdEngine engine = new CrowdEngine(scene, crowd, Sweep.alone());
+        if (engine.step(1) instanceof Outcome.Infeasible none) {
+            // the engine names the fault, then after a semicolon the cure
+            String[] parts = none.reason().split("; ", 2);
+            report(crowd, new Fault(parts[0], parts.length > 1 ? parts[1] : ""));
         }
     }
 

@@ -14,6 +14,8 @@ import troupe.geometry.Polygon;
 import troupe.scene.Ability;
 import troupe.scene.Actor;
 import troupe.scene.Avatar;
+import troupe.scene.Crowd;
+import troupe.scene.CrowdGroup;
 import troupe.scene.Encounter;
 import troupe.scene.Journey;
 import troupe.scene.Obstacle;
@@ -40,6 +42,28 @@ class SceneInspectionTest {
         assertProblem(
                 "the goal (3, 1, 0) is inside obstacle 'beam'",
                 problems(Place.of(3, 1, 0), box("beam", 2.5, 0, 3.5, 2, 1.4, 1.5)));
+    }
+
+    @Test
+    void saysWhatKeepsACrowdFromBeginning() {
+        assertEquals(List.of(), crowd(Place.of(5, 1), 3));
+        assertEquals(
+                "move the goal into the open", crowd(Place.of(2.4, 1), 3).get(0).cure());
+        Problem full = crowd(Place.of(5, 1), 90).get(0);
+        assertTrue(full.message().startsWith("the spawn outline of 'all' has room for "), full.message());
+        assertEquals("enlarge it or lower the count", full.cure());
+    }
+
+    private static List<Problem> crowd(Place goal, int count) {
+        CrowdGroup all = CrowdGroup.of("all", goal, CrowdGroup.Members.of(count, Polygon.rectangle(0.2, 0.2, 2, 2.8)));
+        Scene scene = new Scene(
+                "",
+                new World(6, 3, 0.1),
+                List.of(box("wall", 2.5, 0, 3.5, 2, 0, 2)),
+                List.of(),
+                List.of(),
+                List.of(Crowd.of("crowd", List.of(all))));
+        return SceneInspection.check(new SceneSource(scene, Map.of()));
     }
 
     @Test
