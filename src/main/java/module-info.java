@@ -7,12 +7,16 @@ module troupe {
 
     exports troupe.geometry;
     exports troupe.scene;
+    exports troupe.scene.check;
+    exports troupe.scene.setting;
+    exports troupe.scene.xml;
     exports troupe.search;
     exports troupe.grid;
     exports troupe.grid.field;
     exports troupe.grid.layer;
     exports troupe.grid.region;
     exports troupe.run;
+    exports troupe.run.file;
     exports troupe.risk;
     exports troupe.risk.forecast;
     exports troupe.risk.plan;

@@ -19,8 +19,8 @@ import troupe.paint.solid.Camera;
 import troupe.run.Overlay;
 import troupe.run.Run;
 import troupe.scene.Scene;
-import troupe.scene.SceneException;
-import troupe.scene.SceneXml;
+import troupe.scene.xml.SceneException;
+import troupe.scene.xml.SceneXml;
 import troupe.work.Fields;
 import troupe.work.Tasks;
 

@@ -28,11 +28,11 @@ import troupe.grid.region.Groundworks;
 import troupe.run.Engine;
 import troupe.run.Overlay;
 import troupe.scene.Obstacle;
-import troupe.scene.Problem;
 import troupe.scene.Scene;
-import troupe.scene.SceneChecks;
-import troupe.scene.SceneException;
-import troupe.scene.SceneXml;
+import troupe.scene.check.Problem;
+import troupe.scene.check.SceneChecks;
+import troupe.scene.xml.SceneException;
+import troupe.scene.xml.SceneXml;
 import troupe.work.Tasks;
 
 /**

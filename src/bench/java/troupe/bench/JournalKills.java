@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.SplittableRandom;
-import troupe.run.RunException;
+import troupe.run.file.RunException;
 import troupe.work.KilledRuns;
 
 /**

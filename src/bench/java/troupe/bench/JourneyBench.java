@@ -17,8 +17,8 @@ import troupe.run.Run;
 import troupe.scene.Journey;
 import troupe.scene.Ordering;
 import troupe.scene.Scene;
-import troupe.scene.SceneXml;
 import troupe.scene.Task;
+import troupe.scene.xml.SceneXml;
 import troupe.work.Tasks;
 
 /** Measures whole plans of sample scenes, warm: layers, region, search, smoothing and frames. */

@@ -14,7 +14,7 @@ import troupe.scene.Crowd;
 import troupe.scene.CrowdGroup;
 import troupe.scene.Place;
 import troupe.scene.Scene;
-import troupe.scene.SceneXml;
+import troupe.scene.xml.SceneXml;
 
 /**
  * Repeats the test of the paper (Crowd section 4.2, figure 8): agents and goals at random in the corridor that forks, 20

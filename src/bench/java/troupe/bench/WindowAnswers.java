@@ -37,7 +37,7 @@ import troupe.scene.Journey;
 import troupe.scene.Obstacle;
 import troupe.scene.Place;
 import troupe.scene.Scene;
-import troupe.scene.SceneXml;
+import troupe.scene.xml.SceneXml;
 
 /**
  * Measures how soon the canvas answers: {@code WindowAnswers SCENE OBSTACLE SECONDS}. Holds the mouse on an obstacle and

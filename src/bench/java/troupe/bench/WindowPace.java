@@ -25,7 +25,7 @@ import javax.swing.AbstractButton;
 import javax.swing.JComponent;
 import javax.swing.RepaintManager;
 import troupe.app.Studio;
-import troupe.scene.SceneXml;
+import troupe.scene.xml.SceneXml;
 
 /**
  * Measures the window while a simulation is played in it: {@code WindowPace SCENE SECONDS [drag|move X0 Y0 X1 Y1]}.

@@ -6,7 +6,7 @@ import java.awt.HeadlessException;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
-import troupe.scene.SceneException;
+import troupe.scene.xml.SceneException;
 import troupe.work.Window;
 
 /** Lets the studio be found as the program's window. */

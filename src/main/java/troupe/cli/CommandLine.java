@@ -6,39 +6,33 @@ import java.nio.file.AccessDeniedException;
 import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
 import java.util.List;
+import troupe.cli.terminal.Arguments;
+import troupe.cli.terminal.Command;
+import troupe.cli.terminal.ExitCode;
+import troupe.cli.terminal.Terminal;
+import troupe.cli.terminal.UsageException;
 import troupe.exchange.ExchangeException;
-import troupe.run.RunException;
-import troupe.run.RunFile;
-import troupe.scene.SceneException;
+import troupe.run.file.RunException;
+import troupe.run.file.RunFile;
+import troupe.scene.xml.SceneException;
 
 /** Finds the command that was typed, runs it, and turns what goes wrong into one line and an exit code. */
-final class CommandLine {
-    /** Exit codes. */
-    static final int OK = 0;
-
-    static final int FAILED = 1;
-    static final int BAD_USE = 2;
-    static final int BAD_INPUT = 3;
-    static final int FAULT = 4;
-
-    /** What a shell gives a process that Ctrl-C ended. */
-    static final int INTERRUPTED = 130;
-
+public final class CommandLine {
     private final List<Command> commands;
     private final Command standard;
 
     /** Makes a command line; {@code standard} runs when nothing is typed. */
-    CommandLine(List<Command> commands, Command standard) {
+    public CommandLine(List<Command> commands, Command standard) {
         this.commands = List.copyOf(commands);
         this.standard = standard;
     }
 
     /** Runs what was typed and returns the exit code. */
-    int run(List<String> typed, Terminal terminal) {
+    public int run(List<String> typed, Terminal terminal) {
         int code = typed(typed, terminal);
-        if (terminal.out().checkError() && code != BAD_USE) {
+        if (terminal.out().checkError() && code != ExitCode.BAD_USE) {
             terminal.say("standard output cannot be written; what was to go there is lost");
-            return BAD_INPUT;
+            return ExitCode.BAD_INPUT;
         }
         return code;
     }
@@ -51,26 +45,26 @@ final class CommandLine {
             String word = typed.get(0);
             if (List.of("help", "--help", "-h").contains(word)) {
                 Help.all(commands, terminal.out());
-                return OK;
+                return ExitCode.OK;
             }
             if (List.of("--version", "-V").contains(word)) {
                 terminal.out().println("Troupe " + RunFile.program());
-                return OK;
+                return ExitCode.OK;
             }
             return run(find(word), typed.subList(1, typed.size()), terminal);
         } catch (UsageException e) {
             terminal.say(e.getMessage());
             terminal.say("see --help");
-            return BAD_USE;
+            return ExitCode.BAD_USE;
         } catch (SceneException | RunException | ExchangeException e) {
             terminal.say(e.getMessage());
-            return BAD_INPUT;
+            return ExitCode.BAD_INPUT;
         } catch (InterruptedIOException e) {
             terminal.say(e.getMessage());
-            return INTERRUPTED;
+            return ExitCode.INTERRUPTED;
         } catch (IOException e) {
             terminal.say(line(e));
-            return BAD_INPUT;
+            return ExitCode.BAD_INPUT;
         }
     }
 
@@ -80,7 +74,7 @@ final class CommandLine {
         List<String> options = end < 0 ? typed : typed.subList(0, end);
         if (options.contains("--help") || options.contains("-h")) {
             Help.one(command, terminal.out());
-            return OK;
+            return ExitCode.OK;
         }
         return command.run(Arguments.parse(command, typed), terminal);
     }
@@ -96,7 +90,7 @@ final class CommandLine {
     }
 
     /** Says in a few words what went wrong inside the program, and where. */
-    static String describe(Throwable fault) {
+    public static String describe(Throwable fault) {
         StackTraceElement[] trace = fault.getStackTrace();
         String where = trace.length == 0 ? "" : " at " + trace[0];
         if (fault instanceof OutOfMemoryError) {

@@ -2,6 +2,8 @@ package troupe.cli;
 
 import java.io.PrintStream;
 import java.util.List;
+import troupe.cli.terminal.Command;
+import troupe.cli.terminal.Option;
 
 /** Prints the help, made from what the commands declare. */
 final class Help {

@@ -1,6 +1,22 @@
 package troupe.cli;
 
 import java.util.List;
+import troupe.cli.command.BatchCommand;
+import troupe.cli.command.CheckCommand;
+import troupe.cli.command.DefaultCommand;
+import troupe.cli.command.ExplainCommand;
+import troupe.cli.command.ExportCommand;
+import troupe.cli.command.FieldsCommand;
+import troupe.cli.command.FitCommand;
+import troupe.cli.command.ImportCommand;
+import troupe.cli.command.OpenCommand;
+import troupe.cli.command.RecordCommand;
+import troupe.cli.command.ReplayCommand;
+import troupe.cli.command.RunCommand;
+import troupe.cli.terminal.Command;
+import troupe.cli.terminal.ExitCode;
+import troupe.cli.terminal.Interruption;
+import troupe.cli.terminal.Terminal;
 
 /** Starts the program. */
 public final class Troupe {
@@ -18,11 +34,11 @@ public final class Troupe {
             Terminal terminal = Terminal.system(interruption);
             Thread.currentThread().setUncaughtExceptionHandler((thread, fault) -> {
                 terminal.say(CommandLine.describe(fault));
-                Runtime.getRuntime().halt(CommandLine.FAULT);
+                Runtime.getRuntime().halt(ExitCode.FAULT);
             });
             code = line.run(List.of(arguments), terminal);
         }
-        if (code != CommandLine.OK) {
+        if (code != ExitCode.OK) {
             System.exit(code);
         }
     }

@@ -16,8 +16,8 @@ import troupe.run.Run;
 import troupe.run.Simulation;
 import troupe.scene.Crowd;
 import troupe.scene.CrowdGroup;
-import troupe.scene.CrowdSettings;
 import troupe.scene.Scene;
+import troupe.scene.setting.CrowdSettings;
 import troupe.search.Outcome;
 
 /**

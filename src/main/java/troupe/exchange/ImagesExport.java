@@ -7,7 +7,7 @@ import java.nio.file.Path;
 import java.util.Locale;
 import troupe.paint.Animation;
 import troupe.run.Run;
-import troupe.scene.AtomicFile;
+import troupe.scene.xml.AtomicFile;
 
 /** Writes all of a run as numbered PNG pictures: {@code NAME-00000.png}, {@code NAME-00001.png}, … */
 public final class ImagesExport implements Exporter {

@@ -17,12 +17,12 @@ import troupe.scene.Actor;
 import troupe.scene.Journey;
 import troupe.scene.Obstacle;
 import troupe.scene.Place;
-import troupe.scene.Problem;
 import troupe.scene.Scene;
-import troupe.scene.SceneChecks;
-import troupe.scene.Severity;
 import troupe.scene.Task;
 import troupe.scene.World;
+import troupe.scene.check.Problem;
+import troupe.scene.check.SceneChecks;
+import troupe.scene.check.Severity;
 
 /**
  * Reads a scene of navigation among movable obstacles from an SVG drawing of NAMOSIM: centimetres in units

@@ -13,7 +13,7 @@ import troupe.exchange.script.Decimals;
 import troupe.geometry.Polygon;
 import troupe.paint.Track;
 import troupe.run.Run;
-import troupe.scene.AtomicFile;
+import troupe.scene.xml.AtomicFile;
 
 /**
  * Writes trajectories as PedPy's {@code load_trajectory} reads them, checked against PedPy 1.5, and beside them the

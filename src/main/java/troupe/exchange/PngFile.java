@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import javax.imageio.ImageIO;
 import troupe.paint.Picture;
 import troupe.paint.StripPainter;
-import troupe.scene.AtomicFile;
+import troupe.scene.xml.AtomicFile;
 
 /** Writes single pictures as PNG files, whole or not at all. */
 public final class PngFile {

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.Path;
 import troupe.run.Run;
-import troupe.scene.AtomicFile;
+import troupe.scene.xml.AtomicFile;
 
 /** Writes a run in a format of one file, so that it can go to a stream too. */
 public interface StreamExporter extends Exporter {

@@ -29,12 +29,12 @@ public final class Digest {
     }
 
     /** Returns the digest of some bytes as 64 lower-case hexadecimal digits. */
-    static String of(byte[] bytes) {
+    public static String of(byte[] bytes) {
         return HexFormat.of().formatHex(sha256().digest(bytes));
     }
 
     /** Begins a digest that wants the bytes of every frame in order. */
-    static MessageDigest begin(List<Channel> all, double rate, int count) {
+    public static MessageDigest begin(List<Channel> all, double rate, int count) {
         StringBuilder channels = new StringBuilder();
         for (Channel c : all) {
             channels.append(c.name()).append('\0').append(c.unit()).append('\0');
@@ -52,7 +52,7 @@ public final class Digest {
     }
 
     /** Begins an empty SHA-256. */
-    static MessageDigest sha256() {
+    public static MessageDigest sha256() {
         try {
             return MessageDigest.getInstance("SHA-256");
         } catch (NoSuchAlgorithmException e) {

@@ -10,12 +10,12 @@ import java.util.List;
  * each little-endian, without padding. The same layout serves memory, run files and digests.
  * Immutable, safe for any thread.
  */
-final class FrameLayout {
+public final class FrameLayout {
     private static final VarHandle F64 = MethodHandles.byteArrayViewVarHandle(double[].class, ByteOrder.LITTLE_ENDIAN);
     private static final VarHandle F32 = MethodHandles.byteArrayViewVarHandle(float[].class, ByteOrder.LITTLE_ENDIAN);
     private static final VarHandle I32 = MethodHandles.byteArrayViewVarHandle(int[].class, ByteOrder.LITTLE_ENDIAN);
     /** The most bytes of one frame, so that sizes stay exact in {@code int}. */
-    static final int MAX_FRAME_BYTES = 1 << 24;
+    public static final int MAX_FRAME_BYTES = 1 << 24;
 
     private final List<Channel> channels;
     private final int[] offsets;
@@ -27,7 +27,7 @@ final class FrameLayout {
      *
      * @throws IllegalArgumentException if a frame would take more than {@link #MAX_FRAME_BYTES}
      */
-    FrameLayout(List<Channel> channels) {
+    public FrameLayout(List<Channel> channels) {
         this.channels = List.copyOf(channels);
         offsets = new int[channels.size()];
         long size = 0;
@@ -46,22 +46,23 @@ final class FrameLayout {
         slots = values;
     }
 
-    List<Channel> channels() {
+    /** Returns the channels in their order. */
+    public List<Channel> channels() {
         return channels;
     }
 
     /** Returns the bytes of a frame. */
-    int bytes() {
+    public int bytes() {
         return bytes;
     }
 
     /** Returns the values of a frame over all channels. */
-    int slots() {
+    public int slots() {
         return slots;
     }
 
     /** Reads value {@code k} of a channel from the frame that begins at {@code at}. */
-    double get(byte[] source, int at, int channel, int k) {
+    public double get(byte[] source, int at, int channel, int k) {
         Channel c = channels.get(channel);
         if (k < 0 || k >= c.width()) {
             throw new IndexOutOfBoundsException(
@@ -82,7 +83,7 @@ final class FrameLayout {
      *
      * @throws IllegalArgumentException if a channel of whole numbers cannot hold the value exactly
      */
-    void put(byte[] target, int at, int channel, int k, double value) {
+    public void put(byte[] target, int at, int channel, int k, double value) {
         Channel c = channels.get(channel);
         int place = at + offsets[channel] + k * c.type().bytes();
         switch (c.type()) {
@@ -102,7 +103,7 @@ final class FrameLayout {
     }
 
     /** Writes a frame of any implementation into {@code target} from {@code at} on. */
-    void copy(Frames frames, int frame, byte[] target, int at) {
+    public void copy(Frames frames, int frame, byte[] target, int at) {
         for (int c = 0; c < offsets.length; c++) {
             int width = channels.get(c).width();
             for (int k = 0; k < width; k++) {

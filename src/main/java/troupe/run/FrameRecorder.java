@@ -30,7 +30,7 @@ public final class FrameRecorder {
     }
 
     /** Returns the frames of a block, after checking that a block stays within 64 MiB. */
-    static int checkedBlock(double rate, FrameLayout layout) {
+    public static int checkedBlock(double rate, FrameLayout layout) {
         int block = framesPerBlock(checkedRate(rate));
         if ((long) block * layout.bytes() > MAX_BLOCK_BYTES) {
             throw new IllegalArgumentException("a second of frames takes " + (long) block * layout.bytes()
@@ -47,7 +47,7 @@ public final class FrameRecorder {
     }
 
     /** Returns the frames of one block: those of a second, rounded up to a whole number. */
-    static int framesPerBlock(double rate) {
+    public static int framesPerBlock(double rate) {
         return (int) Math.ceil(rate);
     }
 

@@ -3,13 +3,14 @@ package troupe.run;
 import java.util.List;
 
 /** Gives frames whose bytes lie in parts of one second each; where a part comes from is left to the subclass. */
-abstract class PartedFrames implements Frames {
+public abstract class PartedFrames implements Frames {
     private final FrameLayout layout;
     private final double rate;
     private final int count;
     private final int block;
 
-    PartedFrames(FrameLayout layout, double rate, int count) {
+    /** Prepares frames that lie in parts; the frames are {@code rate} a second. */
+    public PartedFrames(FrameLayout layout, double rate, int count) {
         this.layout = layout;
         this.rate = rate;
         this.count = count;
@@ -40,10 +41,10 @@ abstract class PartedFrames implements Frames {
     }
 
     /** Returns the bytes of a part, from 0; at least those of its frames before {@code count}. */
-    abstract byte[] part(int number);
+    public abstract byte[] part(int number);
 
     /** Returns the number of bytes that the frames of a part take. */
-    final int partBytes(int number) {
+    public final int partBytes(int number) {
         return Math.min(block, count - number * block) * layout.bytes();
     }
 }

@@ -6,26 +6,26 @@ import java.util.StringTokenizer;
 import troupe.geometry.Polygon;
 
 /** Reads and writes the numbers of scene files: decimal points in any locale, shortest form that reads back equal. */
-final class Numbers {
+public final class Numbers {
     /** The most corners of one polygon of a file, so that checking it for crossings stays cheap. */
-    static final int MAX_CORNERS = 10_000;
+    public static final int MAX_CORNERS = 10_000;
 
     private Numbers() {}
 
     /** Returns the shortest text that reads back to the same double, without a trailing {@code .0}. */
-    static String text(double value) {
+    public static String text(double value) {
         String text = Double.toString(value);
         return text.endsWith(".0") ? text.substring(0, text.length() - 2) : text;
     }
 
     /** Returns {@code x,y} or {@code x,y,z}. */
-    static String text(Place place) {
+    public static String text(Place place) {
         String flat = text(place.x()) + "," + text(place.y());
         return place.z().isPresent() ? flat + "," + text(place.z().getAsDouble()) : flat;
     }
 
     /** Returns the corners as {@code x,y x,y …}. */
-    static String text(Polygon outline) {
+    public static String text(Polygon outline) {
         StringBuilder text = new StringBuilder();
         for (int i = 0; i < outline.size(); i++) {
             text.append(i == 0 ? "" : " ")
@@ -41,7 +41,7 @@ final class Numbers {
      *
      * @throws IllegalArgumentException if it is none
      */
-    static double number(String text) {
+    public static double number(String text) {
         try {
             return Double.parseDouble(text.strip());
         } catch (NumberFormatException e) {
@@ -54,7 +54,7 @@ final class Numbers {
      *
      * @throws IllegalArgumentException if it is none
      */
-    static long whole(String text) {
+    public static long whole(String text) {
         try {
             return Long.parseLong(text.strip());
         } catch (NumberFormatException e) {
@@ -67,7 +67,7 @@ final class Numbers {
      *
      * @throws IllegalArgumentException if it is neither
      */
-    static Place place(String text) {
+    public static Place place(String text) {
         String[] parts = text.strip().split(",", -1);
         if (parts.length != 2 && parts.length != 3) {
             throw new IllegalArgumentException("'" + shortened(text) + "' where x,y or x,y,z is expected");
@@ -82,7 +82,7 @@ final class Numbers {
      * @throws IllegalArgumentException if a corner is not {@code x,y}, there is none, or there are more than
      *     {@value #MAX_CORNERS}
      */
-    static Polygon polygon(String text) {
+    public static Polygon polygon(String text) {
         double[] xs = new double[8];
         double[] ys = new double[8];
         int count = 0;

@@ -3,6 +3,7 @@ package troupe.scene;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
+import troupe.scene.check.SceneChecks;
 
 /**
  * Holds a whole scene document: the world, what stands in it, who acts and what is to be planned.

@@ -9,11 +9,11 @@ import troupe.run.Digest;
 import troupe.run.Engine;
 import troupe.run.Report;
 import troupe.run.Run;
-import troupe.scene.Problem;
 import troupe.scene.Scene;
-import troupe.scene.SceneChecks;
-import troupe.scene.Settings;
-import troupe.scene.Severity;
+import troupe.scene.check.Problem;
+import troupe.scene.check.SceneChecks;
+import troupe.scene.check.Severity;
+import troupe.scene.setting.Settings;
 import troupe.search.Outcome;
 
 /**

@@ -9,8 +9,8 @@ import java.util.function.Consumer;
 import java.util.stream.Stream;
 import troupe.run.Run;
 import troupe.run.RunComparison;
-import troupe.run.RunException;
-import troupe.run.RunFile;
+import troupe.run.file.RunException;
+import troupe.run.file.RunFile;
 import troupe.search.Outcome;
 
 /** Runs saved runs again and compares, bit by bit: regression tests that a person can watch. */

@@ -3,7 +3,7 @@ package troupe.work;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
-import troupe.scene.SceneException;
+import troupe.scene.xml.SceneException;
 
 /** Opens the program's window. Found by {@link java.util.ServiceLoader}, so that a front needs no other front. */
 public interface Window {

@@ -9,7 +9,7 @@ import java.nio.file.Path;
 import javax.swing.JTable;
 import org.junit.jupiter.api.Test;
 import troupe.run.Run;
-import troupe.run.RunFile;
+import troupe.run.file.RunFile;
 
 /** Keeps a run, changes the scene, and compares. */
 class CompareRobotTest extends RobotTest {

@@ -12,7 +12,7 @@ import troupe.app.session.Session;
 import troupe.app.settings.StudioSettings;
 import troupe.paint.Viewport;
 import troupe.scene.Scene;
-import troupe.scene.SceneXml;
+import troupe.scene.xml.SceneXml;
 
 /**
  * Runs a studio in a process of its own, to be killed. Given a scene file, a folder for recovery and places in

@@ -19,10 +19,10 @@ final class EventThreadWatch implements AutoCloseable {
             "troupe.crowd.flock",
             "troupe.crowd.ground");
     private static final Set<String> CLASSES = Set.of(
-            "troupe.scene.SceneXml",
-            "troupe.scene.SceneReader",
-            "troupe.scene.SceneWriter",
-            "troupe.scene.SceneChecks");
+            "troupe.scene.xml.SceneXml",
+            "troupe.scene.xml.SceneReader",
+            "troupe.scene.xml.SceneWriter",
+            "troupe.scene.check.SceneChecks");
     private static final Set<String> HARMLESS = Set.of(
             "troupe.grid.GridFrame",
             "troupe.search.Outcome",

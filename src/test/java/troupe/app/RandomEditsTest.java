@@ -42,7 +42,7 @@ import troupe.scene.Crowd;
 import troupe.scene.Element;
 import troupe.scene.Journey;
 import troupe.scene.Scene;
-import troupe.scene.SceneXml;
+import troupe.scene.xml.SceneXml;
 
 /**
  * Edits a small room at random with tools and commands, and takes everything back. The seed is that of the system

@@ -22,7 +22,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import troupe.app.document.SceneDocument;
 import troupe.scene.Scene;
-import troupe.scene.SceneXml;
+import troupe.scene.xml.SceneXml;
 
 /** Kills a studio while a person works in it, and opens another one. */
 class RecoveryRobotTest extends RobotTest {

@@ -7,8 +7,8 @@ import troupe.app.plan.ScriptedEngine;
 import troupe.run.Engine;
 import troupe.run.Overlay;
 import troupe.run.Run;
-import troupe.scene.Problem;
 import troupe.scene.Scene;
+import troupe.scene.check.Problem;
 
 /** Starts engines that do what a test says, and counts them. */
 public final class ScriptedSteps implements PlanningSteps {

@@ -16,7 +16,7 @@ import troupe.run.Run;
 import troupe.scene.Avatar;
 import troupe.scene.Encounter;
 import troupe.scene.Scene;
-import troupe.scene.SceneXml;
+import troupe.scene.xml.SceneXml;
 
 /** Runs a crowd and an encounter in the real window, and takes part in them with the mouse. */
 class SimulationRobotTest extends RobotTest {

@@ -17,7 +17,7 @@ import javax.swing.TransferHandler.TransferSupport;
 import org.junit.jupiter.api.Test;
 import troupe.app.document.SceneDocument;
 import troupe.scene.Scene;
-import troupe.scene.SceneXml;
+import troupe.scene.xml.SceneXml;
 
 /** Begins on the start page, with new scenes, with files dropped and opened before, as a person would. */
 class StartPageRobotTest extends RobotTest {

@@ -31,10 +31,10 @@ import troupe.app.settings.StudioSettings;
 import troupe.paint.Viewport;
 import troupe.run.Engine;
 import troupe.run.Overlay;
-import troupe.scene.Problem;
 import troupe.scene.Scene;
-import troupe.scene.SceneException;
-import troupe.scene.SceneXml;
+import troupe.scene.check.Problem;
+import troupe.scene.xml.SceneException;
+import troupe.scene.xml.SceneXml;
 
 /** A studio on the screen with a copy of a sample scene, and a robot that works it. */
 final class StudioFixture implements AutoCloseable {

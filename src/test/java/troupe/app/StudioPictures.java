@@ -17,7 +17,7 @@ import javax.swing.SwingUtilities;
 import troupe.app.solid.SolidMode;
 import troupe.scene.Obstacle;
 import troupe.scene.Scene;
-import troupe.scene.SceneXml;
+import troupe.scene.xml.SceneXml;
 
 /** Makes the pictures of the window for the guide, each from a studio opened on its scene. Needs a display. */
 public final class StudioPictures implements AutoCloseable {

@@ -17,7 +17,7 @@ import troupe.app.play.Figures;
 import troupe.paint.Viewport;
 import troupe.run.Run;
 import troupe.scene.Scene;
-import troupe.scene.SceneXml;
+import troupe.scene.xml.SceneXml;
 
 /** Works the real window with mouse and keys, on a real or a virtual display. */
 class StudioRobotTest extends RobotTest {

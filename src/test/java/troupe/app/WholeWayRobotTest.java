@@ -28,7 +28,7 @@ import troupe.scene.Encounter;
 import troupe.scene.Obstacle;
 import troupe.scene.Place;
 import troupe.scene.Scene;
-import troupe.scene.SceneXml;
+import troupe.scene.xml.SceneXml;
 
 /** Goes the whole way of a person in one window: from the start page to a saved scene that opens again as it was. */
 class WholeWayRobotTest extends RobotTest {

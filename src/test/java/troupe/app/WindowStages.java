@@ -21,8 +21,8 @@ import troupe.scene.Journey;
 import troupe.scene.Obstacle;
 import troupe.scene.Place;
 import troupe.scene.Scene;
-import troupe.scene.SceneException;
-import troupe.scene.SceneXml;
+import troupe.scene.xml.SceneException;
+import troupe.scene.xml.SceneXml;
 
 /**
  * Leads the studio through everything that it can show: scenes of each kind, selections, problems, no way, the start

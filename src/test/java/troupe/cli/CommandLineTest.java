@@ -22,10 +22,12 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import troupe.cli.Session.Result;
+import troupe.cli.terminal.Command;
+import troupe.cli.terminal.Option;
 import troupe.exchange.ExportSettings;
 import troupe.exchange.Formats;
 import troupe.run.Run;
-import troupe.run.RunFile;
+import troupe.run.file.RunFile;
 
 /** Types commands from end to end. */
 class CommandLineTest {

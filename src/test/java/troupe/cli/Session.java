@@ -8,15 +8,17 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import troupe.cli.command.DefaultCommand;
+import troupe.cli.terminal.Terminal;
 
 /** Runs command lines in this process, with streams of its own. */
-final class Session {
+public final class Session {
     private final Path folder;
     private final CommandLine line = new CommandLine(Troupe.all(), new DefaultCommand(Optional::empty));
 
     /** What a command line left. */
-    record Result(int code, byte[] bytes, String err) {
-        String out() {
+    public record Result(int code, byte[] bytes, String err) {
+        public String out() {
             return new String(bytes, StandardCharsets.UTF_8);
         }
 
@@ -27,21 +29,21 @@ final class Session {
     }
 
     /** Makes a session in whose folder commands leave their files. */
-    Session(Path folder) {
+    public Session(Path folder) {
         this.folder = folder;
     }
 
-    Result run(String... typed) {
+    public Result run(String... typed) {
         return run(new byte[0], false, typed);
     }
 
-    Result run(byte[] in, boolean interrupted, String... typed) {
+    public Result run(byte[] in, boolean interrupted, String... typed) {
         ByteArrayOutputStream out = new ByteArrayOutputStream();
         return run(in, interrupted, out, out, typed);
     }
 
     /** Runs a command line whose results go to a stream of the test's own. */
-    Result run(OutputStream out, String... typed) {
+    public Result run(OutputStream out, String... typed) {
         return run(new byte[0], false, out, new ByteArrayOutputStream(), typed);
     }
 

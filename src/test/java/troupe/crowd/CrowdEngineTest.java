@@ -21,9 +21,9 @@ import troupe.scene.CrowdGroup;
 import troupe.scene.Obstacle;
 import troupe.scene.Place;
 import troupe.scene.Scene;
-import troupe.scene.SceneException;
-import troupe.scene.SceneXml;
 import troupe.scene.World;
+import troupe.scene.xml.SceneException;
+import troupe.scene.xml.SceneXml;
 import troupe.search.Outcome;
 
 class CrowdEngineTest {

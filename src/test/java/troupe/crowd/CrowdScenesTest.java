@@ -17,9 +17,9 @@ import troupe.scene.Crowd;
 import troupe.scene.CrowdGroup;
 import troupe.scene.Place;
 import troupe.scene.Scene;
-import troupe.scene.SceneException;
-import troupe.scene.SceneXml;
-import troupe.scene.Settings;
+import troupe.scene.setting.Settings;
+import troupe.scene.xml.SceneException;
+import troupe.scene.xml.SceneXml;
 import troupe.search.Outcome;
 
 /** Runs the sample scenes, shortened where they are large; the tables of docs/crowd.md come from longer runs. */

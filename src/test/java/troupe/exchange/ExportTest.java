@@ -32,7 +32,7 @@ import troupe.paint.Theme;
 import troupe.run.Channel;
 import troupe.run.Frames;
 import troupe.run.Run;
-import troupe.scene.AtomicFile;
+import troupe.scene.xml.AtomicFile;
 import troupe.search.Outcome;
 
 /** Writes a run in every format and reads it back. */

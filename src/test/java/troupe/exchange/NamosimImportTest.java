@@ -24,7 +24,7 @@ import troupe.scene.Journey;
 import troupe.scene.Obstacle;
 import troupe.scene.Place;
 import troupe.scene.Scene;
-import troupe.scene.SceneXml;
+import troupe.scene.xml.SceneXml;
 
 /** Reads drawings of NAMOSIM: both dialects by hand, wrong ones, and ten thousand damaged ones. */
 class NamosimImportTest {

@@ -27,8 +27,8 @@ import troupe.scene.Encounter.Quantity;
 import troupe.scene.Obstacle;
 import troupe.scene.Place;
 import troupe.scene.Scene;
-import troupe.scene.SceneXml;
 import troupe.scene.World;
+import troupe.scene.xml.SceneXml;
 import troupe.search.Outcome;
 
 /** Checks encounters from start to end: the contract of engines, the sample scenes, steering, certain avatars. */

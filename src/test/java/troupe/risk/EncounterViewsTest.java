@@ -14,7 +14,7 @@ import troupe.run.Strip;
 import troupe.scene.Encounter;
 import troupe.scene.Encounter.Quantity;
 import troupe.scene.Scene;
-import troupe.scene.SceneXml;
+import troupe.scene.xml.SceneXml;
 
 /** Checks the views of an encounter: a saved run shows what the engine showed, and the masses are right. */
 class EncounterViewsTest {

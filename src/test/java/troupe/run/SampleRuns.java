@@ -9,7 +9,7 @@ import troupe.scene.World;
 import troupe.search.Outcome;
 
 /** Makes small runs for tests, without a planner. */
-final class SampleRuns {
+public final class SampleRuns {
     static final List<Channel> CHANNELS = List.of(
             new Channel("x", "m", Channel.Type.F64, "anna", 1),
             new Channel("y", "m", Channel.Type.F64, "anna", 1),
@@ -18,7 +18,7 @@ final class SampleRuns {
 
     private SampleRuns() {}
 
-    static Scene scene() {
+    public static Scene scene() {
         return new Scene(
                 "Yard & <garden> 庭",
                 World.of(10, 10),
@@ -29,12 +29,12 @@ final class SampleRuns {
     }
 
     /** Makes a run of {@code count} frames at 4 frames a second. */
-    static Run run(int count) {
+    public static Run run(int count) {
         return new Run(
                 scene(), "go", Outcome.FOUND, report(), frames(count), legs(), List.of(new Run.Input(3, "k", -0.5)));
     }
 
-    static Frames frames(int count) {
+    public static Frames frames(int count) {
         FrameRecorder recorder = new FrameRecorder(4, CHANNELS);
         for (int k = 0; k < count; k++) {
             recorder.append(1 + 0.1 * k, 1 / 3.0 * k, k % 5, k / 7f);

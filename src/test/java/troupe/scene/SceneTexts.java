@@ -6,6 +6,8 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.stream.Stream;
+import troupe.scene.xml.SceneException;
+import troupe.scene.xml.SceneXml;
 
 /** Reads scenes from texts, and finds the sample scenes. */
 public final class SceneTexts {

@@ -27,8 +27,8 @@ import troupe.scene.Ordering;
 import troupe.scene.Place;
 import troupe.scene.Preferences;
 import troupe.scene.Scene;
-import troupe.scene.SceneXml;
 import troupe.scene.World;
+import troupe.scene.xml.SceneXml;
 import troupe.search.Outcome;
 
 /** Plans small journeys worked out by hand: 10 m by 10 m, cells of 10 cm, from (1.05, 5.05) eight metres to the right. */

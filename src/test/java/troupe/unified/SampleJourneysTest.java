@@ -16,9 +16,9 @@ import troupe.run.Run;
 import troupe.scene.Actor;
 import troupe.scene.Journey;
 import troupe.scene.Scene;
-import troupe.scene.SceneException;
-import troupe.scene.SceneXml;
 import troupe.scene.Task;
+import troupe.scene.xml.SceneException;
+import troupe.scene.xml.SceneXml;
 
 /** Plans every journey of the sample scenes: each is solved, free of collisions frame by frame, and the same every time. */
 class SampleJourneysTest {

@@ -27,10 +27,10 @@ import troupe.scene.Ordering;
 import troupe.scene.Place;
 import troupe.scene.Preferences;
 import troupe.scene.Scene;
-import troupe.scene.SceneException;
-import troupe.scene.SceneXml;
 import troupe.scene.Task;
 import troupe.scene.World;
+import troupe.scene.xml.SceneException;
+import troupe.scene.xml.SceneXml;
 
 /** Explains a room that can be worked out by hand, and every sample journey. */
 class ExplainerTest {

@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Test;
 import troupe.run.Aspect;
 import troupe.run.Overlay;
 import troupe.scene.Scene;
-import troupe.scene.SceneXml;
+import troupe.scene.xml.SceneXml;
 
 class FieldsTest {
     private static Scene scene;

@@ -17,8 +17,8 @@ import troupe.scene.CrowdGroup;
 import troupe.scene.Encounter;
 import troupe.scene.Place;
 import troupe.scene.Scene;
-import troupe.scene.SceneXml;
 import troupe.scene.World;
+import troupe.scene.xml.SceneXml;
 
 class MomentViewsTest {
     private final MomentViews views = new MomentViews();

@@ -16,8 +16,8 @@ import troupe.run.Report;
 import troupe.scene.Ability;
 import troupe.scene.Journey;
 import troupe.scene.Scene;
-import troupe.scene.Settings;
 import troupe.scene.Task;
+import troupe.scene.setting.Settings;
 
 /** Plans the journeys of published scenes of navigation among movable obstacles. */
 class NamosimRunsTest {

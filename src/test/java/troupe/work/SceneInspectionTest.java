@@ -20,11 +20,11 @@ import troupe.scene.Encounter;
 import troupe.scene.Journey;
 import troupe.scene.Obstacle;
 import troupe.scene.Place;
-import troupe.scene.Problem;
 import troupe.scene.Scene;
-import troupe.scene.SceneSource;
-import troupe.scene.Severity;
 import troupe.scene.World;
+import troupe.scene.check.Problem;
+import troupe.scene.check.Severity;
+import troupe.scene.xml.SceneSource;
 
 class SceneInspectionTest {
     private static final Actor ANNA = Actor.standard("anna").without(Set.of(Ability.MOVE));

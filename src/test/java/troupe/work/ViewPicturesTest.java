@@ -28,8 +28,8 @@ import troupe.run.GridOverlays;
 import troupe.run.Overlay;
 import troupe.run.Run;
 import troupe.scene.Scene;
-import troupe.scene.SceneException;
-import troupe.scene.SceneXml;
+import troupe.scene.xml.SceneException;
+import troupe.scene.xml.SceneXml;
 
 /**
  * Compares every view that the window lays over a scene, as the planners make it and as the window's painters paint

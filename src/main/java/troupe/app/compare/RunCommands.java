@@ -20,8 +20,8 @@ import troupe.app.look.Question;
 import troupe.app.session.Notice;
 import troupe.app.session.Session;
 import troupe.run.Run;
-import troupe.run.RunException;
-import troupe.run.RunFile;
+import troupe.run.file.RunException;
+import troupe.run.file.RunFile;
 
 /** Adds the commands for saved runs and for comparing: open, save, keep, compare with a file, stop comparing. */
 public final class RunCommands implements AutoCloseable {

@@ -9,7 +9,7 @@ import javax.swing.JTextArea;
 import troupe.app.look.FlatButton;
 import troupe.app.look.Look;
 import troupe.paint.Tone;
-import troupe.run.RunFile;
+import troupe.run.file.RunFile;
 
 /** Says what the program is, in which version, and on which Java it runs. */
 public final class AboutPanel extends JPanel {

@@ -28,10 +28,10 @@ import troupe.scene.CrowdGroup;
 import troupe.scene.Ditch;
 import troupe.scene.Encounter;
 import troupe.scene.Obstacle;
-import troupe.scene.Problem;
 import troupe.scene.Scene;
-import troupe.scene.Severity;
 import troupe.scene.Task;
+import troupe.scene.check.Problem;
+import troupe.scene.check.Severity;
 
 /**
  * One row of the outline. Things of one size whose ids differ in a number at the end only, three or more, share a row.

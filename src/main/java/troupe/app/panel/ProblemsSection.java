@@ -27,9 +27,9 @@ import troupe.app.session.Session;
 import troupe.app.tool.Hits;
 import troupe.geometry.Box;
 import troupe.paint.Tone;
-import troupe.scene.Problem;
 import troupe.scene.Scene;
-import troupe.scene.Severity;
+import troupe.scene.check.Problem;
+import troupe.scene.check.Severity;
 import troupe.work.Blockage;
 
 /**

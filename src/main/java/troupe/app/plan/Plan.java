@@ -5,7 +5,7 @@ import java.util.Optional;
 import troupe.run.Aspect;
 import troupe.run.Overlay;
 import troupe.run.Run;
-import troupe.scene.Problem;
+import troupe.scene.check.Problem;
 import troupe.work.Explanation;
 
 /**

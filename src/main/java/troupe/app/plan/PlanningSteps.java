@@ -3,8 +3,8 @@ package troupe.app.plan;
 import java.util.List;
 import troupe.run.Engine;
 import troupe.run.Overlay;
-import troupe.scene.Problem;
 import troupe.scene.Scene;
+import troupe.scene.check.Problem;
 
 /** Starts the work that the background thread does. Tests put guards around it. */
 public interface PlanningSteps {

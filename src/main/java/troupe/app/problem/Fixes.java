@@ -19,10 +19,10 @@ import troupe.scene.Encounter;
 import troupe.scene.Journey;
 import troupe.scene.Obstacle;
 import troupe.scene.Place;
-import troupe.scene.Problem;
 import troupe.scene.Scene;
-import troupe.scene.Severity;
 import troupe.scene.Task;
+import troupe.scene.check.Problem;
+import troupe.scene.check.Severity;
 import troupe.work.BlockageSearch;
 
 /** Finds simple changes that mend what is wrong with an element, by looking at the element. Pure; any thread. */

@@ -12,7 +12,7 @@ import troupe.scene.Actor;
 import troupe.scene.Journey;
 import troupe.scene.Place;
 import troupe.scene.Scene;
-import troupe.scene.Settings;
+import troupe.scene.setting.Settings;
 
 /** Lists the properties of actors: the body, and each ability with its numbers and whether there is one. */
 final class ActorProperties {

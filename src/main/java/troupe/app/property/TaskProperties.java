@@ -16,8 +16,8 @@ import troupe.scene.Encounter;
 import troupe.scene.Journey;
 import troupe.scene.Place;
 import troupe.scene.Scene;
-import troupe.scene.Settings;
 import troupe.scene.Task;
+import troupe.scene.setting.Settings;
 
 /**
  * Lists the properties of tasks: those of a journey with its places as numbers and its actor to choose, and the

@@ -16,7 +16,7 @@ import troupe.app.session.Session;
 import troupe.app.start.ScenePictures;
 import troupe.paint.Theme;
 import troupe.scene.Scene;
-import troupe.scene.SceneException;
+import troupe.scene.xml.SceneException;
 
 /**
  * Keeps a session's unsaved edits, and offers those that were left behind: of every document known when the studio

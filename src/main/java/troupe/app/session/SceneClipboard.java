@@ -16,7 +16,7 @@ import troupe.app.document.SceneDocument;
 import troupe.app.document.SceneEdits;
 import troupe.app.look.Texts;
 import troupe.scene.Scene;
-import troupe.scene.SceneException;
+import troupe.scene.xml.SceneException;
 
 /**
  * Cuts, copies and pastes parts of scenes through the clipboard of the system, as texts of the scene format, so

@@ -3,7 +3,7 @@ package troupe.app.session;
 import java.io.IOException;
 import java.nio.file.Path;
 import troupe.scene.Scene;
-import troupe.scene.SceneException;
+import troupe.scene.xml.SceneException;
 
 /** Reads and writes scene files. Called on a background thread; tests put guards around it. */
 public interface SceneFiles {

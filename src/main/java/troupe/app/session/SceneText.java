@@ -2,7 +2,7 @@ package troupe.app.session;
 
 import java.io.IOException;
 import troupe.scene.Scene;
-import troupe.scene.SceneException;
+import troupe.scene.xml.SceneException;
 
 /** Writes and reads scenes as texts of the scene format. Called on a background thread. */
 public interface SceneText {

@@ -21,7 +21,7 @@ import troupe.app.play.Playback;
 import troupe.run.Frames;
 import troupe.run.Run;
 import troupe.scene.Scene;
-import troupe.scene.SceneException;
+import troupe.scene.xml.SceneException;
 
 /**
  * Holds one document and everything that lives with it: selection, planner, the newest plan, playback,

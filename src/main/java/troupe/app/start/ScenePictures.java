@@ -17,7 +17,7 @@ import troupe.app.session.SceneFiles;
 import troupe.paint.Picture;
 import troupe.paint.Theme;
 import troupe.scene.Scene;
-import troupe.scene.SceneException;
+import troupe.scene.xml.SceneException;
 
 /**
  * Makes small pictures of scene files, one after the other on a background thread of low priority, and keeps them.

@@ -9,7 +9,7 @@ import troupe.risk.forecast.Forecast;
 import troupe.risk.forecast.History;
 import troupe.scene.Avatar;
 import troupe.scene.Encounter.Growth;
-import troupe.scene.TrackTable;
+import troupe.scene.xml.TrackTable;
 
 /**
  * Compares what is predicted of recorded people with what they did: how far off the predictions were, how often a

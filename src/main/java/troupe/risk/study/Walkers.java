@@ -9,8 +9,8 @@ import troupe.scene.Encounter;
 import troupe.scene.Obstacle;
 import troupe.scene.Place;
 import troupe.scene.Scene;
-import troupe.scene.TrackTable;
 import troupe.scene.World;
+import troupe.scene.xml.TrackTable;
 
 /**
  * Puts an actor into the place of recorded walkers, one after another: it starts where and when the walker did,

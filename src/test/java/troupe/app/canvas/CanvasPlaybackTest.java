@@ -29,8 +29,8 @@ import troupe.run.Engine;
 import troupe.run.Overlay;
 import troupe.run.Run;
 import troupe.scene.Obstacle;
-import troupe.scene.Problem;
 import troupe.scene.Scene;
+import troupe.scene.check.Problem;
 import troupe.search.Outcome;
 
 /** Looks at the canvas while a run is played that moves the crate of the sketch, without a window. */

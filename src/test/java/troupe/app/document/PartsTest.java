@@ -18,7 +18,7 @@ import troupe.scene.CrowdGroup;
 import troupe.scene.Encounter;
 import troupe.scene.Place;
 import troupe.scene.Scene;
-import troupe.scene.SceneXml;
+import troupe.scene.xml.SceneXml;
 
 class PartsTest {
     private static final Polygon SPAWN = Polygon.rectangle(1, 1, 3, 3);

@@ -9,11 +9,11 @@ import org.junit.jupiter.api.Test;
 import troupe.scene.Crowd;
 import troupe.scene.Element;
 import troupe.scene.Encounter;
-import troupe.scene.Problem;
 import troupe.scene.Scene;
-import troupe.scene.SceneChecks;
-import troupe.scene.SceneXml;
-import troupe.scene.Severity;
+import troupe.scene.check.Problem;
+import troupe.scene.check.SceneChecks;
+import troupe.scene.check.Severity;
+import troupe.scene.xml.SceneXml;
 
 class PastingTest {
     private static Scene sample(String file) throws Exception {

@@ -100,12 +100,12 @@ class SentencesTest {
     @Test
     void everySentenceOfTheLibraryIsKnown() throws IOException {
         List<Path> sources = new ArrayList<>();
-        try (Stream<Path> rules = Files.list(MAIN.resolve("scene"))) {
+        try (Stream<Path> rules = Files.list(MAIN.resolve("scene/check"))) {
             rules.filter(f -> f.toString().endsWith("Rules.java")).forEach(sources::add);
         }
         for (String name : List.of(
-                "scene/SceneChecks.java",
-                "scene/SettingTable.java",
+                "scene/check/SceneChecks.java",
+                "scene/setting/SettingTable.java",
                 "work/AvatarInspection.java",
                 "work/SceneInspection.java",
                 "unified/Separation.java",

@@ -26,10 +26,10 @@ import troupe.run.Engine;
 import troupe.run.Overlay;
 import troupe.scene.Ability;
 import troupe.scene.Journey;
-import troupe.scene.Problem;
 import troupe.scene.Scene;
-import troupe.scene.SceneException;
-import troupe.scene.SceneXml;
+import troupe.scene.check.Problem;
+import troupe.scene.xml.SceneException;
+import troupe.scene.xml.SceneXml;
 import troupe.work.Tasks;
 
 class WhySectionTest {

@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 import troupe.run.Engine;
 import troupe.run.Run;
 import troupe.scene.Scene;
-import troupe.scene.SceneXml;
+import troupe.scene.xml.SceneXml;
 import troupe.work.Tasks;
 
 class ChronicleTest {

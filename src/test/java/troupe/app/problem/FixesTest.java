@@ -18,10 +18,10 @@ import troupe.scene.Encounter;
 import troupe.scene.Journey;
 import troupe.scene.Obstacle;
 import troupe.scene.Place;
-import troupe.scene.Problem;
 import troupe.scene.Scene;
-import troupe.scene.SceneSource;
-import troupe.scene.Severity;
+import troupe.scene.check.Problem;
+import troupe.scene.check.Severity;
+import troupe.scene.xml.SceneSource;
 import troupe.work.SceneInspection;
 
 /** Breaks a small room, and mends it with the first fix that is offered. */

@@ -20,8 +20,8 @@ import troupe.app.document.SceneDocument;
 import troupe.app.document.SceneEdits;
 import troupe.app.session.SceneFiles;
 import troupe.scene.Scene;
-import troupe.scene.SceneException;
-import troupe.scene.SceneXml;
+import troupe.scene.xml.SceneException;
+import troupe.scene.xml.SceneXml;
 
 class AutosaveTest {
     @TempDir

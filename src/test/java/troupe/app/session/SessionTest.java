@@ -22,7 +22,7 @@ import troupe.app.ScriptedSteps;
 import troupe.app.document.SceneDocument;
 import troupe.app.document.SceneEdits;
 import troupe.scene.Scene;
-import troupe.scene.SceneException;
+import troupe.scene.xml.SceneException;
 
 class SessionTest implements SceneFiles {
     private static final Path FILE = Path.of("room.xml");

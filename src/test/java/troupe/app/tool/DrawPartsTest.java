@@ -27,8 +27,8 @@ import troupe.scene.CrowdGroup;
 import troupe.scene.Encounter;
 import troupe.scene.Place;
 import troupe.scene.Scene;
-import troupe.scene.SceneChecks;
 import troupe.scene.World;
+import troupe.scene.check.SceneChecks;
 
 /** One metre is a hundred pixels. */
 class DrawPartsTest {

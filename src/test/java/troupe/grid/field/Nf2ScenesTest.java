@@ -15,8 +15,8 @@ import troupe.scene.Actor;
 import troupe.scene.Journey;
 import troupe.scene.Obstacle;
 import troupe.scene.Scene;
-import troupe.scene.SceneException;
-import troupe.scene.SceneXml;
+import troupe.scene.xml.SceneException;
+import troupe.scene.xml.SceneXml;
 
 /** Checks what must hold of NF2 on every sample scene, with the movable obstacles and without them. */
 class Nf2ScenesTest {

@@ -23,10 +23,10 @@ import troupe.scene.Avatar;
 import troupe.scene.Encounter;
 import troupe.scene.Encounter.Growth;
 import troupe.scene.Encounter.Method;
-import troupe.scene.SceneChecks;
-import troupe.scene.Settings;
-import troupe.scene.Severity;
-import troupe.scene.TrackTable;
+import troupe.scene.check.SceneChecks;
+import troupe.scene.check.Severity;
+import troupe.scene.setting.Settings;
+import troupe.scene.xml.TrackTable;
 import troupe.search.Outcome;
 import troupe.work.EncounterBatch;
 

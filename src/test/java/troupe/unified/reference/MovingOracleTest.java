@@ -17,7 +17,7 @@ import troupe.scene.Obstacle;
 import troupe.scene.Ordering;
 import troupe.scene.Preferences;
 import troupe.scene.Scene;
-import troupe.scene.SceneXml;
+import troupe.scene.xml.SceneXml;
 import troupe.unified.JourneyEngine;
 
 /**
