@@ -39,7 +39,7 @@ public final class LivePlanner implements AutoCloseable {
     public static final long PATIENCE_MS = 200;
 
     /** How long in ms work that is not wanted any more may take to end before it is left behind. */
-    public static final long GRACE_MS = 200;
+    public static final long GRACE_MS = 70;
 
     /** How many threads may be left behind at a time; more unwanted work is waited for. */
     private static final int LEFT_BEHIND = 3;
