@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Optional;
 import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
+import troupe.app.look.Named;
 
 /** Leads the keys from panel to panel: top bar, tools, outline, views, canvas, inspector, timeline, start page. */
 final class PanelFocus {
@@ -46,24 +47,9 @@ final class PanelFocus {
     private static List<Component> shown(JFrame frame) {
         List<Component> panels = new ArrayList<>();
         for (String name : PANELS) {
-            find(frame, name).filter(Component::isShowing).ifPresent(panels::add);
+            Named.find(frame, name).filter(Component::isShowing).ifPresent(panels::add);
         }
         return panels;
-    }
-
-    private static Optional<Component> find(Container in, String name) {
-        for (Component part : in.getComponents()) {
-            if (name.equals(part.getName())) {
-                return Optional.of(part);
-            }
-            if (part instanceof Container inner) {
-                Optional<Component> found = find(inner, name);
-                if (found.isPresent()) {
-                    return found;
-                }
-            }
-        }
-        return Optional.empty();
     }
 
     /** Returns the panel itself if it takes keys, else the first part of it that does. */

@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 
 import java.awt.AWTException;
 import java.awt.Component;
-import java.awt.Container;
 import java.awt.EventQueue;
 import java.awt.Point;
 import java.awt.Rectangle;
@@ -23,6 +22,7 @@ import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
 import javax.swing.RepaintManager;
 import troupe.app.document.SceneDocument;
+import troupe.app.look.Named;
 import troupe.app.plan.Plan;
 import troupe.app.plan.PlanningSteps;
 import troupe.app.session.SceneFiles;
@@ -272,27 +272,12 @@ final class StudioFixture implements AutoCloseable {
 
     private Optional<Component> look(String name) {
         for (Window dialog : window.frame().getOwnedWindows()) {
-            Optional<Component> found = dialog.isShowing() ? find(dialog, name) : Optional.empty();
+            Optional<Component> found = dialog.isShowing() ? Named.find(dialog, name) : Optional.empty();
             if (found.isPresent()) {
                 return found;
             }
         }
-        return find(window.frame(), name);
-    }
-
-    private static Optional<Component> find(Container in, String name) {
-        for (Component part : in.getComponents()) {
-            if (name.equals(part.getName())) {
-                return Optional.of(part);
-            }
-            if (part instanceof Container inner) {
-                Optional<Component> found = find(inner, name);
-                if (found.isPresent()) {
-                    return found;
-                }
-            }
-        }
-        return Optional.empty();
+        return Named.find(window.frame(), name);
     }
 
     /** Returns what a component shows on the screen. */

@@ -18,11 +18,10 @@ import javax.swing.JTextField;
 import javax.swing.KeyStroke;
 import javax.swing.ListCellRenderer;
 import javax.swing.ListSelectionModel;
-import javax.swing.event.DocumentEvent;
-import javax.swing.event.DocumentListener;
 import troupe.app.look.Drawn;
 import troupe.app.look.Look;
 import troupe.app.look.ThinScrollBarUI;
+import troupe.app.look.Typed;
 import troupe.paint.Tone;
 
 /** Finds commands by their words; Enter does the one that is marked, Escape closes. */
@@ -63,7 +62,7 @@ public final class CommandSearch extends JPanel {
         query.setName("search.query");
         query.setFont(look.font());
         query.getAccessibleContext().setAccessibleName(look.text("command.search"));
-        query.getDocument().addDocumentListener(new Typed());
+        query.getDocument().addDocumentListener(new Typed(this::find));
         list.setName("search.list");
         list.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
         list.setFixedCellHeight(ROW);
@@ -142,24 +141,6 @@ public final class CommandSearch extends JPanel {
         if (command != null && command.isEnabled()) {
             close.run();
             command.perform();
-        }
-    }
-
-    /** Finds anew with each change of the words. */
-    private final class Typed implements DocumentListener {
-        @Override
-        public void insertUpdate(DocumentEvent event) {
-            find();
-        }
-
-        @Override
-        public void removeUpdate(DocumentEvent event) {
-            find();
-        }
-
-        @Override
-        public void changedUpdate(DocumentEvent event) {
-            find();
         }
     }
 

@@ -10,12 +10,11 @@ import javax.swing.DefaultListModel;
 import javax.swing.JList;
 import javax.swing.JPanel;
 import javax.swing.ListCellRenderer;
-import javax.swing.event.DocumentEvent;
-import javax.swing.event.DocumentListener;
 import troupe.app.command.Commands;
 import troupe.app.look.Drawn;
 import troupe.app.look.Look;
 import troupe.app.look.ThinScrollBarUI;
+import troupe.app.look.Typed;
 import troupe.paint.Tone;
 
 /** Shows the shortcuts under the headings of their menus, those that hold the words typed above. */
@@ -35,7 +34,7 @@ public final class ShortcutsPanel extends JPanel {
         setName("shortcuts.panel");
         setOpaque(false);
         query = new SearchField(look, "shortcuts.query", look.text("shortcuts.find"));
-        query.getDocument().addDocumentListener(new Typed());
+        query.getDocument().addDocumentListener(new Typed(this::find));
         add(query, BorderLayout.NORTH);
         JList<Shortcuts.Line> list = new JList<>(found);
         list.setName("shortcuts.list");
@@ -59,24 +58,6 @@ public final class ShortcutsPanel extends JPanel {
         }
         if (found.isEmpty()) {
             found.addElement(new Shortcuts.Line(look.text("search.none"), "", ""));
-        }
-    }
-
-    /** Finds anew with each change of the words. */
-    private final class Typed implements DocumentListener {
-        @Override
-        public void insertUpdate(DocumentEvent event) {
-            find();
-        }
-
-        @Override
-        public void removeUpdate(DocumentEvent event) {
-            find();
-        }
-
-        @Override
-        public void changedUpdate(DocumentEvent event) {
-            find();
         }
     }
 

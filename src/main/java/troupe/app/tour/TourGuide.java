@@ -1,7 +1,6 @@
 package troupe.app.tour;
 
 import java.awt.Component;
-import java.awt.Container;
 import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.Insets;
@@ -22,6 +21,7 @@ import troupe.app.command.Commands;
 import troupe.app.document.SceneDocument;
 import troupe.app.look.FlatButton;
 import troupe.app.look.Look;
+import troupe.app.look.Named;
 import troupe.app.session.Session;
 import troupe.app.settings.StudioSettings;
 import troupe.app.tool.Hits;
@@ -226,20 +226,7 @@ public final class TourGuide {
     }
 
     private Optional<Component> part(String name) {
-        return find(frame.getRootPane(), name).filter(Component::isShowing);
-    }
-
-    private static Optional<Component> find(Container in, String name) {
-        for (Component part : in.getComponents()) {
-            if (name.equals(part.getName())) {
-                return Optional.of(part);
-            }
-            Optional<Component> found = part instanceof Container inner ? find(inner, name) : Optional.empty();
-            if (found.isPresent()) {
-                return found;
-            }
-        }
-        return Optional.empty();
+        return Named.find(frame.getRootPane(), name).filter(Component::isShowing);
     }
 
     /** Scrolls to what the step speaks of. */
