@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 
 import java.awt.AWTException;
 import java.awt.Component;
+import java.awt.Dialog;
 import java.awt.EventQueue;
 import java.awt.Point;
 import java.awt.Rectangle;
@@ -21,6 +22,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
 import javax.swing.RepaintManager;
+import javax.swing.SwingUtilities;
 import troupe.app.document.SceneDocument;
 import troupe.app.look.Named;
 import troupe.app.plan.Plan;
@@ -167,7 +169,10 @@ final class StudioFixture implements AutoCloseable {
     }
 
     private Point onScreen(Component component, int x, int y) {
-        Point at = OnEventThread.get(component::getLocationOnScreen);
+        Point at = OnEventThread.get(() -> {
+            placeAgain(component);
+            return component.getLocationOnScreen();
+        });
         return new Point(at.x + x, at.y + y);
     }
 
@@ -189,12 +194,24 @@ final class StudioFixture implements AutoCloseable {
         Component component = find(name);
         Point[] last = {null};
         Await.until(name + " has come to rest", () -> {
+            placeAgain(component);
             Point now = component.isShowing() ? component.getLocationOnScreen() : null;
             boolean rests = now != null && now.equals(last[0]);
             last[0] = now;
             return rests;
         });
         click(component, component.getWidth() / 2, component.getHeight() / 2);
+    }
+
+    /**
+     * Places a dialog again that AWT believes to be in the corner of the screen. Without a window manager it is told
+     * so now and then by a notice from before the dialog was placed, and a robot would click beside it.
+     */
+    private void placeAgain(Component component) {
+        Window around = SwingUtilities.getWindowAncestor(component);
+        if (around instanceof Dialog && around.getLocation().equals(new Point())) {
+            around.setLocationRelativeTo(window.frame());
+        }
     }
 
     void doubleClick(Component component, int x, int y) {
