@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Predicate;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
 import org.openjdk.jmh.annotations.Fork;
@@ -132,8 +133,9 @@ public class DragBench {
         }
 
         @Override
-        public List<Overlay> overlays(Scene planned, String task, Engine engine, List<Integer> chosen) {
-            return views ? engine.overlays(chosen) : List.of();
+        public List<Overlay> overlays(
+                Scene planned, String task, Engine engine, List<Integer> chosen, Predicate<String> wanted) {
+            return views ? engine.overlays(chosen, wanted) : List.of();
         }
     }
 }

@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import troupe.app.document.SceneDocument;
 import troupe.app.plan.PlanningSteps;
@@ -146,14 +147,16 @@ public final class Studio {
         }
 
         @Override
-        public List<Overlay> overlays(Scene scene, String task, Engine engine, List<Integer> chosen) {
-            List<Overlay> all = new ArrayList<>(engine.overlays(chosen));
+        public List<Overlay> overlays(
+                Scene scene, String task, Engine engine, List<Integer> chosen, Predicate<String> wanted) {
+            List<Overlay> all = new ArrayList<>(engine.overlays(chosen, wanted));
             if (!(scene.task(task).orElse(null) instanceof Journey)) {
                 return all;
             }
             Set<String> known = all.stream().map(Overlay::key).collect(Collectors.toSet());
-            List<String> missing =
-                    GridOverlays.KEYS.stream().filter(k -> !known.contains(k)).toList();
+            List<String> missing = GridOverlays.KEYS.stream()
+                    .filter(k -> wanted.test(k) && !known.contains(k))
+                    .toList();
             Fields.of(scene, task, missing).overlays().forEach(all::addAll);
             return all;
         }

@@ -1,6 +1,7 @@
 package troupe.run;
 
 import java.util.List;
+import java.util.function.Predicate;
 import troupe.search.Outcome;
 
 /**
@@ -43,6 +44,16 @@ public interface Engine {
     /** Returns the views of a choice of {@link #aspects}; of no choice those of {@link #overlays()}. */
     default List<Overlay> overlays(List<Integer> chosen) {
         return overlays();
+    }
+
+    /**
+     * Returns the views of a choice as far as they are wanted, those that are costly at least; others may be among
+     * them.
+     *
+     * @param wanted which ones, by their keys
+     */
+    default List<Overlay> overlays(List<Integer> chosen, Predicate<String> wanted) {
+        return overlays(chosen);
     }
 
     /** Returns the run as far as it has come: the frames so far and the report. */

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.Predicate;
 import troupe.grid.GridLimitException;
 import troupe.grid.region.Groundworks;
 import troupe.grid.region.Region;
@@ -189,7 +190,12 @@ public final class JourneyEngine implements Engine {
 
     @Override
     public List<Overlay> overlays(List<Integer> chosen) {
-        return prepared.isBuilt() ? views().overlays(chosen) : List.of();
+        return overlays(chosen, key -> true);
+    }
+
+    @Override
+    public List<Overlay> overlays(List<Integer> chosen, Predicate<String> wanted) {
+        return prepared.isBuilt() ? views().overlays(chosen, wanted) : List.of();
     }
 
     private JourneyViews views() {

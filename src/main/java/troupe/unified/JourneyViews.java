@@ -5,9 +5,9 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import troupe.grid.GridFrame;
-import troupe.grid.field.Nf2;
 import troupe.grid.region.Region;
 import troupe.run.Aspect;
 import troupe.run.GridOverlays;
@@ -94,29 +94,51 @@ final class JourneyViews {
         return spaces.get(number >= 0 && number < spaces.size() ? number : 0);
     }
 
-    /** Returns the views of a choice of {@link #aspects}. */
-    List<Overlay> overlays(List<Integer> chosen) {
-        Region region = search.isPresent() ? space(chosen).region() : prepared.region();
-        GridOverlays grid = new GridOverlays(region, prepared.layers());
-        GridOverlays guide = region == prepared.open() ? grid : new GridOverlays(prepared.open(), prepared.layers());
-        Nf2 potential = prepared.goal().configuration() < 0 ? null : prepared.potential();
+    /**
+     * Returns those views of a choice of {@link #aspects} that are wanted.
+     *
+     * @throws java.util.concurrent.CancellationException if the thread is interrupted
+     */
+    List<Overlay> overlays(List<Integer> chosen, Predicate<String> wanted) {
         List<Overlay> views = new ArrayList<>();
-        for (String key : GridOverlays.KEYS) {
-            views.addAll((GUIDES.contains(key) ? guide : grid).of(key, potential));
+        List<String> guides = GUIDES.stream().filter(wanted).toList();
+        List<String> others = GridOverlays.KEYS.stream()
+                .filter(key -> !GUIDES.contains(key) && wanted.test(key))
+                .toList();
+        Region region = search.isPresent() ? space(chosen).region() : prepared.region();
+        boolean local = !others.isEmpty() || BY_SPACE.stream().anyMatch(wanted);
+        GridOverlays grid = local ? new GridOverlays(region, prepared.layers()) : null;
+        others.forEach(key -> views.addAll(grid.of(key, null)));
+        if (!guides.isEmpty() && prepared.goal().configuration() >= 0) {
+            boolean same = region == prepared.open() && local;
+            GridOverlays guide = same ? grid : new GridOverlays(prepared.open(), prepared.layers());
+            guides.forEach(key -> views.addAll(guide.of(key, prepared.potential())));
         }
-        if (search.isPresent()) {
-            SearchSpace space = space(chosen);
-            views.addAll(SearchEffort.of(prepared.layers(), search.get(), space));
-            views.addAll(triggers(space, grid));
-            List<Aspect> aspects = aspects(chosen);
-            if (!space.attempts().isEmpty()) {
-                MoveAttempt attempt = space.attempts().get(aspects.get(1).chosen(chosen, 1));
-                int storey = grid.storey(prepared.layers().layer(attempt.trigger()));
-                views.add(path(attempt.path(), storey));
-                views.add(barred(attempt.barred(), aspects.get(2).chosen(chosen, 2), region.frame(), storey));
-            }
+        if (search.isPresent() && local) {
+            addSearched(chosen, grid, wanted, views);
         }
         return List.copyOf(views);
+    }
+
+    private void addSearched(List<Integer> chosen, GridOverlays grid, Predicate<String> wanted, List<Overlay> views) {
+        SearchSpace space = space(chosen);
+        if (wanted.test("effort")) {
+            views.addAll(SearchEffort.of(prepared.layers(), search.orElseThrow(), space));
+        }
+        if (wanted.test("triggers")) {
+            views.addAll(triggers(space, grid));
+        }
+        if (!space.attempts().isEmpty() && BY_INSTANCE.stream().anyMatch(wanted)) {
+            List<Aspect> aspects = aspects(chosen);
+            MoveAttempt attempt = space.attempts().get(aspects.get(1).chosen(chosen, 1));
+            int storey = grid.storey(prepared.layers().layer(attempt.trigger()));
+            views.add(path(attempt.path(), storey));
+            views.add(barred(
+                    attempt.barred(),
+                    aspects.get(2).chosen(chosen, 2),
+                    space.region().frame(),
+                    storey));
+        }
     }
 
     private List<Overlay> triggers(SearchSpace space, GridOverlays grid) {

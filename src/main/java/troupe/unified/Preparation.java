@@ -110,7 +110,7 @@ final class Preparation {
     /** Returns the region without the obstacles that the actor may move, built when it is first asked for. */
     Region open() {
         if (open == null) {
-            open = movables.isEmpty() ? region : region.bare();
+            open = movables.isEmpty() ? region : builder.bare();
         }
         return open;
     }

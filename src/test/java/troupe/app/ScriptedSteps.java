@@ -2,6 +2,7 @@ package troupe.app;
 
 import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.Predicate;
 import troupe.app.plan.PlanningSteps;
 import troupe.app.plan.ScriptedEngine;
 import troupe.run.Engine;
@@ -45,7 +46,8 @@ public final class ScriptedSteps implements PlanningSteps {
     }
 
     @Override
-    public List<Overlay> overlays(Scene scene, String task, Engine engine, List<Integer> chosen) {
-        return engine.overlays(chosen);
+    public List<Overlay> overlays(
+            Scene scene, String task, Engine engine, List<Integer> chosen, Predicate<String> wanted) {
+        return engine.overlays(chosen, wanted);
     }
 }

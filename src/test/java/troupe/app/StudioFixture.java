@@ -21,6 +21,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Predicate;
 import javax.swing.RepaintManager;
 import javax.swing.SwingUtilities;
 import troupe.app.document.SceneDocument;
@@ -124,9 +125,10 @@ final class StudioFixture implements AutoCloseable {
         }
 
         @Override
-        public List<Overlay> overlays(Scene scene, String task, Engine engine, List<Integer> chosen) {
+        public List<Overlay> overlays(
+                Scene scene, String task, Engine engine, List<Integer> chosen, Predicate<String> wanted) {
             assertFalse(EventQueue.isDispatchThread());
-            return steps.overlays(scene, task, engine, chosen);
+            return steps.overlays(scene, task, engine, chosen, wanted);
         }
     };
 
@@ -156,7 +158,8 @@ final class StudioFixture implements AutoCloseable {
         Await.until("a plan of the scene that is shown", () -> session()
                 .plan()
                 .filter(p -> p.snapshot().version().equals(session().document().version()))
-                .filter(p -> !p.overlays().isEmpty())
+                .filter(p -> p.views().current()
+                        || p.snapshot().version().preview() > 0 && !p.overlays().isEmpty())
                 .isPresent());
         return OnEventThread.get(() -> session().plan().orElseThrow());
     }

@@ -32,16 +32,19 @@ final class Painters implements AutoCloseable {
     /** The painters of one plan. Fields of numbers are filled only where they are the one thing shown. */
     record Prepared(Optional<RunPainter> run, List<OverlayPainter> overlays, boolean field, Legend legend) {}
 
-    /** What painters were made of; views are equal only if they are the same. */
+    /** What painters were made of; views are equal only if their list is the same. */
     private record Made(Views views, Set<String> keys, int layer) {
         @Override
         public boolean equals(Object other) {
-            return other instanceof Made m && views == m.views && keys.equals(m.keys) && layer == m.layer;
+            return other instanceof Made m
+                    && views.overlays() == m.views.overlays()
+                    && keys.equals(m.keys)
+                    && layer == m.layer;
         }
 
         @Override
         public int hashCode() {
-            return System.identityHashCode(views);
+            return System.identityHashCode(views.overlays());
         }
     }
 

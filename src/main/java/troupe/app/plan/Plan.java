@@ -2,7 +2,6 @@ package troupe.app.plan;
 
 import java.util.List;
 import java.util.Optional;
-import troupe.run.Aspect;
 import troupe.run.Overlay;
 import troupe.run.Run;
 import troupe.scene.check.Problem;
@@ -13,7 +12,7 @@ import troupe.work.Explanation;
  *
  * @param run what was planned; empty where the scene's errors, or its lack of a task, forbid it
  * @param problems what is wrong with the scene, worst first
- * @param views the views that the planner offers; none until they have been made
+ * @param views the views that the planner offers; until they have been made those of an earlier plan, or none
  * @param why what else could be done; empty until it has been planned, and first without its flips
  * @param live what a simulation offers while it runs
  * @param millis how long planning took, views and explanation not counted
@@ -42,14 +41,14 @@ public record Plan(
         return new Plan(snapshot, Optional.of(further), problems, views, why, now, time);
     }
 
-    /** Returns the views that the planner offers; empty until they have been made. */
+    /** Returns the views that the planner offers, as far as they have been made; see {@link Views#current}. */
     public List<Overlay> overlays() {
         return views.overlays();
     }
 
-    /** Returns this plan with its views, out of those that the planner offers. Cost O(their values). */
-    public Plan withOverlays(List<Overlay> made, List<Aspect> offered) {
-        return new Plan(snapshot, run, problems, Views.of(snapshot.scene(), made, offered), why, live, millis);
+    /** Returns this plan with views. */
+    public Plan withViews(Views made) {
+        return new Plan(snapshot, run, problems, made, why, live, millis);
     }
 
     /** Returns this plan with all that is wrong with its scene. */

@@ -1,6 +1,7 @@
 package troupe.app.plan;
 
 import java.util.List;
+import java.util.function.Predicate;
 import troupe.run.Engine;
 import troupe.run.Overlay;
 import troupe.scene.Scene;
@@ -26,6 +27,7 @@ public interface PlanningSteps {
      * Returns the views of a task that has been worked on: the engine's own and those of the grid below it.
      *
      * @param chosen what is chosen of the engine's aspects
+     * @param wanted which views are needed, by their keys; others may be left out
      */
-    List<Overlay> overlays(Scene scene, String task, Engine engine, List<Integer> chosen);
+    List<Overlay> overlays(Scene scene, String task, Engine engine, List<Integer> chosen, Predicate<String> wanted);
 }

@@ -2,7 +2,10 @@ package troupe.app.plan;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import troupe.grid.GridFrame;
 import troupe.run.Aspect;
@@ -17,10 +20,12 @@ import troupe.scene.Scene;
  *
  * @param layers one for each layer, the lowest first; empty while there are no views
  * @param aspects the respects in which the planner has other views
+ * @param current whether they are all that the planner offers of the plan that has them; else some, or all, may be
+ *     missing, or those of an earlier plan, until newer ones have been made
  */
-public record Views(List<Overlay> overlays, List<Layer> layers, List<Aspect> aspects) {
+public record Views(List<Overlay> overlays, List<Layer> layers, List<Aspect> aspects, boolean current) {
     /** No views. */
-    public static final Views NONE = new Views(List.of(), List.of(), List.of());
+    public static final Views NONE = new Views(List.of(), List.of(), List.of(), false);
 
     /**
      * One layer.
@@ -40,7 +45,7 @@ public record Views(List<Overlay> overlays, List<Layer> layers, List<Aspect> asp
         aspects = List.copyOf(aspects);
     }
 
-    /** Makes the views of a scene; where a layer lies is read from the one with the key {@code elevation}. */
+    /** Makes all views of a scene; where a layer lies is read from the one with the key {@code elevation}. */
     public static Views of(Scene scene, List<Overlay> overlays, List<Aspect> aspects) {
         int count = 1 + overlays.stream().mapToInt(Overlay::layer).max().orElse(0);
         List<Layer> layers = new ArrayList<>();
@@ -52,7 +57,39 @@ public record Views(List<Overlay> overlays, List<Layer> layers, List<Aspect> asp
                     .map(o -> o instanceof Overlay.Field field ? layer(scene, field) : null)
                     .orElse(Layer.UNKNOWN));
         }
-        return new Views(overlays, layers, aspects);
+        return new Views(overlays, layers, aspects, true);
+    }
+
+    /** Makes some views of a scene. */
+    public static Views some(Scene scene, List<Overlay> overlays, List<Aspect> aspects) {
+        return of(scene, overlays, aspects).aged();
+    }
+
+    /** Returns the same views as those of an earlier plan; the list of overlays stays the very same. */
+    public Views aged() {
+        return current ? new Views(overlays, layers, aspects, false) : this;
+    }
+
+    /**
+     * Returns these views and of the kinds that they lack those of an earlier plan, in whose order they are; these alone
+     * if they are all there are.
+     */
+    public Views over(Views earlier) {
+        if (current) {
+            return this;
+        }
+        if (overlays.isEmpty()) {
+            return earlier.aged();
+        }
+        Map<String, List<Overlay>> kinds = byKey(earlier.overlays);
+        kinds.putAll(byKey(overlays));
+        List<Overlay> merged = kinds.values().stream().flatMap(List::stream).toList();
+        boolean raised = overlays.stream().anyMatch(o -> o.key().equals("elevation"));
+        return new Views(merged, raised ? layers : earlier.layers, aspects, false);
+    }
+
+    private static Map<String, List<Overlay>> byKey(List<Overlay> overlays) {
+        return overlays.stream().collect(Collectors.groupingBy(Overlay::key, LinkedHashMap::new, Collectors.toList()));
     }
 
     private static Layer layer(Scene scene, Overlay.Field elevation) {

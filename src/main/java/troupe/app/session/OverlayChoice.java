@@ -53,6 +53,15 @@ public final class OverlayChoice {
         return Set.copyOf(keys);
     }
 
+    /** Returns the keys of the views that must be there for what is shown: the skeleton ends where no potential is. */
+    public Set<String> needed() {
+        Set<String> needed = new LinkedHashSet<>(keys);
+        if (keys.contains("skeleton")) {
+            needed.add("potential");
+        }
+        return Set.copyOf(needed);
+    }
+
     /** Shows a view, or hides it. */
     public void show(String key, boolean on) {
         EventThread.require();

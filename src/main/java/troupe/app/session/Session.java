@@ -65,6 +65,7 @@ public final class Session implements AutoCloseable {
         planner.works().add(now -> work = now);
         document.listeners().add(this::changed);
         overlays.listeners().add(choice -> look());
+        planner.show(overlays.needed());
         playback.listeners().add(p -> planner.intervention().pace(frame()));
     }
 
@@ -179,6 +180,7 @@ public final class Session implements AutoCloseable {
     }
 
     private void look() {
+        planner.show(overlays.needed());
         if (!looked.equals(overlays.chosen())) {
             looked = overlays.chosen();
             planner.look(looked);
@@ -195,6 +197,7 @@ public final class Session implements AutoCloseable {
             playback.load(0, 25);
         }
         if (change == SceneDocument.Change.OPENED || change == SceneDocument.Change.TASK) {
+            planner.forget();
             overlays.chooseFirst();
             look();
         }

@@ -22,6 +22,7 @@ public final class Groundwork {
     private Layers layers;
     private Structure structure;
     private Region widest;
+    private Region bare;
     private volatile Region last;
 
     /** Makes the groundwork of an actor that has already lost the abilities which preferences switch off. */
@@ -88,6 +89,14 @@ public final class Groundwork {
             widest = Region.widest(structure(scene));
         }
         return widest;
+    }
+
+    /** Returns a region of a scene that it fits as it is without any movable obstacle. */
+    synchronized Region bare(Region fitting) {
+        if (bare == null) {
+            bare = fitting.bare();
+        }
+        return bare;
     }
 
     /**

@@ -102,6 +102,11 @@ public final class RegionBuilder {
         return widest;
     }
 
+    /** Returns the region in which no movable obstacle is there. */
+    public Region bare() {
+        return groundwork.bare(region());
+    }
+
     static int standingBits(Actor actor) {
         return Ability.WALK.bit() | (actor.sidestep().isPresent() ? Ability.SIDESTEP.bit() : 0);
     }

@@ -12,6 +12,7 @@ import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.Predicate;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -89,8 +90,9 @@ class CanvasPlaybackTest {
         }
 
         @Override
-        public List<Overlay> overlays(Scene scene, String task, Engine engine, List<Integer> chosen) {
-            return engine.overlays(chosen);
+        public List<Overlay> overlays(
+                Scene scene, String task, Engine engine, List<Integer> chosen, Predicate<String> wanted) {
+            return engine.overlays(chosen, wanted);
         }
     };
 

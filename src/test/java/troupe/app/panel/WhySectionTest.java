@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.Predicate;
 import java.util.stream.Stream;
 import javax.swing.text.JTextComponent;
 import org.junit.jupiter.api.Test;
@@ -51,7 +52,8 @@ class WhySectionTest {
         }
 
         @Override
-        public List<Overlay> overlays(Scene scene, String task, Engine engine, List<Integer> chosen) {
+        public List<Overlay> overlays(
+                Scene scene, String task, Engine engine, List<Integer> chosen, Predicate<String> wanted) {
             return List.of();
         }
     };

@@ -10,11 +10,13 @@ import java.awt.EventQueue;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Predicate;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import troupe.app.OnEventThread;
@@ -42,6 +44,7 @@ class LivePlannerTest implements PlanningSteps {
     private final Map<Scene, Runnable> during = new ConcurrentHashMap<>();
     private final Map<Scene, List<Problem>> problems = new ConcurrentHashMap<>();
     private final Map<Scene, Runnable> whileViewing = new ConcurrentHashMap<>();
+    private final BlockingQueue<List<Boolean>> asked = new LinkedBlockingQueue<>();
     private volatile Runnable whileExplaining = () -> {};
     private LivePlanner planner;
 
@@ -68,10 +71,12 @@ class LivePlannerTest implements PlanningSteps {
     }
 
     @Override
-    public List<Overlay> overlays(Scene scene, String task, Engine engine, List<Integer> chosen) {
+    public List<Overlay> overlays(
+            Scene scene, String task, Engine engine, List<Integer> chosen, Predicate<String> wanted) {
         assertFalse(EventQueue.isDispatchThread());
+        asked.add(List.of(wanted.test("trigger"), wanted.test("clearance")));
         whileViewing.getOrDefault(scene, () -> {}).run();
-        return engine.overlays(chosen);
+        return engine.overlays(chosen, wanted);
     }
 
     private void begin(long patienceMs) {
@@ -192,8 +197,11 @@ class LivePlannerTest implements PlanningSteps {
         replaceDuring(snapshot(1, 1), snapshot(1, 2));
         assertEquals(1, next().snapshot().version().preview());
         Plan second = next();
+        if (second.snapshot().version().preview() == 1) {
+            assertEquals(1, second.overlays().size(), "its views may come before the second plan");
+            second = next();
+        }
         assertEquals(2, second.snapshot().version().preview());
-        assertEquals(List.of(), second.overlays(), "views of the first moment are not told any more");
     }
 
     @Test
@@ -258,13 +266,17 @@ class LivePlannerTest implements PlanningSteps {
         request(snapshot(1, 0));
         assertTrue(begun.await(20, TimeUnit.SECONDS));
         OnEventThread.run(() -> planner.look(List.of(1)));
-        goOn.countDown();
         Plan plan = next();
         while (plan.overlays().isEmpty() || x(plan) == 1) {
             assertTrue(plan.why().isEmpty());
             plan = next();
         }
         assertEquals("inspected", plan.problems().get(0).message());
+        goOn.countDown();
+        while (plan.why().isEmpty()) {
+            plan = next();
+            assertEquals(2, x(plan));
+        }
     }
 
     /** Lets the views of a snapshot take until {@code goOn}, deaf to everything, and waits until they have begun. */
@@ -320,6 +332,60 @@ class LivePlannerTest implements PlanningSteps {
             plan = next();
             assertSame(again, plan.snapshot(), "what was left behind is not told");
         }
+    }
+
+    @Test
+    void noMomentWaitsForTheViewsOfTheOneBefore() throws InterruptedException {
+        begin(FOREVER);
+        CountDownLatch goOn = new CountDownLatch(1);
+        stickInTheViews(snapshot(1, 1), goOn);
+        request(snapshot(1, 2));
+        Plan second = next();
+        assertEquals(2, second.snapshot().version().preview());
+        assertEquals(List.of(), second.overlays());
+        goOn.countDown();
+        Plan lent = next();
+        assertEquals(2, lent.snapshot().version().preview(), "views that come late are shown with the plan of now");
+        assertSame(second.run().orElseThrow(), lent.run().orElseThrow());
+        assertEquals(1, x(lent));
+        assertFalse(lent.views().current());
+    }
+
+    @Test
+    void aPlanIsToldWithTheViewsOfBeforeUntilItsOwnAreMade() throws InterruptedException {
+        begin(FOREVER);
+        request(snapshot(1, 1));
+        next();
+        Plan viewed = next();
+        request(snapshot(2, 0));
+        Plan plan = next();
+        assertSame(viewed.overlays(), plan.overlays());
+        assertFalse(plan.views().current());
+        Plan own = next();
+        assertTrue(own.views().current());
+    }
+
+    @Test
+    void viewsOfAnotherDocumentAreForgotten() throws InterruptedException {
+        begin(FOREVER);
+        request(snapshot(1, 1));
+        next();
+        next();
+        OnEventThread.run(planner::forget);
+        request(snapshot(2, 0));
+        assertEquals(List.of(), next().overlays());
+    }
+
+    @Test
+    void momentsOfAGestureHaveTheViewsThatAreShown() throws InterruptedException {
+        begin(FOREVER);
+        OnEventThread.run(() -> planner.show(Set.of("trigger")));
+        request(snapshot(1, 1));
+        next();
+        next();
+        assertEquals(List.of(true, false), asked.poll(20, TimeUnit.SECONDS));
+        request(snapshot(2, 0));
+        assertEquals(List.of(true, true), asked.poll(20, TimeUnit.SECONDS));
     }
 
     @Test
