@@ -8,6 +8,7 @@ import java.util.concurrent.Executor;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
 import troupe.app.document.SceneDocument;
+import troupe.app.look.Failures;
 import troupe.app.look.Look;
 import troupe.app.session.Notice;
 import troupe.app.session.Session;
@@ -126,7 +127,7 @@ final class Pages {
                     session.openCopy(sample);
                 });
             } catch (IOException e) {
-                eventThread.execute(() -> session.notices().tell(new Notice(true, String.valueOf(e.getMessage()))));
+                eventThread.execute(() -> session.notices().tell(new Notice(true, Failures.line(e))));
             }
         }));
     }

@@ -119,7 +119,7 @@ public record ExportSettings(
         Dimension size = picture.size(width);
         if (size.width * density * size.height * density > Picture.MAX_PIXELS) {
             throw new ExchangeException(
-                    "picture",
+                    "the picture",
                     0,
                     0,
                     size.width + " x " + size.height + " pixels, " + density + " times as large",

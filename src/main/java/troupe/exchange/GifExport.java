@@ -51,7 +51,7 @@ public final class GifExport implements StreamExporter {
         if ((long) first.getWidth() * first.getHeight() > MAX_PIXELS
                 || Math.max(first.getWidth(), first.getHeight()) > 65_535) {
             throw new ExchangeException(
-                    "animation", 0, 0, first.getWidth() + " x " + first.getHeight() + " pixels", "lower the width");
+                    "the animation", 0, 0, first.getWidth() + " x " + first.getHeight() + " pixels", "lower the width");
         }
         settings.proceed();
         Palette palette = new Palette(first, animation.image(run.frames().duration() / 2));

@@ -1,6 +1,5 @@
 package troupe.exchange;
 
-import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
@@ -8,17 +7,14 @@ import java.util.Deque;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
-import javax.xml.XMLConstants;
-import javax.xml.parsers.ParserConfigurationException;
-import javax.xml.parsers.SAXParserFactory;
 import org.xml.sax.Attributes;
-import org.xml.sax.InputSource;
 import org.xml.sax.Locator;
 import org.xml.sax.SAXException;
 import org.xml.sax.SAXParseException;
-import org.xml.sax.XMLReader;
 import org.xml.sax.helpers.DefaultHandler;
+import troupe.scene.xml.StrictXml;
 
 /**
  * Reads the parts of an SVG drawing that NAMOSIM looks at, in the order of the file: its size, its typed
@@ -67,13 +63,7 @@ final class NamosimDrawing extends DefaultHandler {
     static NamosimDrawing read(byte[] bytes, String name) throws ExchangeException {
         NamosimDrawing drawing = new NamosimDrawing(name);
         try {
-            XMLReader reader = parser();
-            reader.setContentHandler(drawing);
-            reader.setErrorHandler(drawing);
-            reader.setEntityResolver((publicId, systemId) -> {
-                throw new SAXException("external references are not allowed");
-            });
-            reader.parse(new InputSource(new ByteArrayInputStream(bytes)));
+            StrictXml.parse(bytes, Optional.empty(), drawing);
         } catch (SAXParseException e) {
             throw new ExchangeException(name, e.getLineNumber(), e.getColumnNumber(), message(e), cure(e));
         } catch (SAXException e) {
@@ -83,18 +73,6 @@ final class NamosimDrawing extends DefaultHandler {
             throw drawing.wrong(message(e), "save it as UTF-8");
         }
         return drawing;
-    }
-
-    private static XMLReader parser() throws SAXException {
-        try {
-            SAXParserFactory factory = SAXParserFactory.newDefaultInstance();
-            factory.setNamespaceAware(true);
-            factory.setFeature(XMLConstants.FEATURE_SECURE_PROCESSING, true);
-            factory.setFeature("http://apache.org/xml/features/disallow-doctype-decl", true);
-            return factory.newSAXParser().getXMLReader();
-        } catch (ParserConfigurationException e) {
-            throw new IllegalStateException("the JDK's own XML parser lacks a standard feature", e);
-        }
     }
 
     private static String message(Exception e) {

@@ -47,7 +47,7 @@ public final class PedPyExport implements Exporter {
         List<Track> tracks = run.frames().count() == 0 ? List.of() : Places.acting(run);
         if (tracks.isEmpty()) {
             throw new ExchangeException(
-                    "run", 0, 0, "nobody moves in it", "plan a task that has a solution; PedPy needs trajectories");
+                    "the run", 0, 0, "nobody moves in it", "plan a task that has a solution; PedPy needs trajectories");
         }
         PedestrianGround ground = new PedestrianGround(run);
         List<String> numbers = new ArrayList<>();

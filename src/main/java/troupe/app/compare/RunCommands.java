@@ -15,6 +15,7 @@ import javax.swing.JFrame;
 import javax.swing.filechooser.FileNameExtensionFilter;
 import troupe.app.command.Command;
 import troupe.app.command.Commands;
+import troupe.app.look.Failures;
 import troupe.app.look.Look;
 import troupe.app.look.Question;
 import troupe.app.session.Notice;
@@ -109,8 +110,7 @@ public final class RunCommands implements AutoCloseable {
     }
 
     private void tell(Path file, Exception e) {
-        String reason = e.getMessage() == null ? e.getClass().getSimpleName() : e.getMessage();
-        String text = reason.contains(file.getFileName().toString()) ? reason : file + ": " + reason;
+        String text = Failures.line(file, e);
         eventThread.execute(() -> session.notices().tell(new Notice(true, text)));
     }
 

@@ -212,8 +212,9 @@ public final class ExportDialog {
                 message.setToolTipText(file.toAbsolutePath().toString());
             } else if (result.wrong().isPresent()) {
                 message.setForeground(look.color(Tone.MOVE));
-                message.setText(result.wrong().get());
-                message.setToolTipText(result.wrong().get());
+                String wrong = look.texts().tell(result.wrong().get());
+                message.setText(wrong);
+                message.setToolTipText(wrong);
             } else {
                 say("export.cancelled", Tone.DIM);
             }

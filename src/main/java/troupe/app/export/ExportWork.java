@@ -10,6 +10,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
+import troupe.app.look.Failures;
 import troupe.exchange.ExchangeException;
 import troupe.exchange.ExportSettings;
 import troupe.exchange.Exporter;
@@ -83,7 +84,7 @@ final class ExportWork implements AutoCloseable {
         } catch (InterruptedIOException e) {
             return new Result(false, Optional.empty());
         } catch (IOException | ExchangeException e) {
-            return new Result(false, Optional.of(String.valueOf(e.getMessage())));
+            return new Result(false, Optional.of(Failures.line(target, e)));
         }
     }
 

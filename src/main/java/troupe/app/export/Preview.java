@@ -13,6 +13,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
+import troupe.app.look.Failures;
 import troupe.exchange.ExchangeException;
 import troupe.exchange.ExportSettings;
 import troupe.exchange.Exporter;
@@ -25,8 +26,9 @@ import troupe.run.Run;
  *
  * @param image a picture of the instant, for formats that are pictures
  * @param text the first lines, for others; or why there is nothing to be seen
+ * @param wrong whether the text says that
  */
-record Preview(Optional<BufferedImage> image, String text) {
+record Preview(Optional<BufferedImage> image, String text, boolean wrong) {
     /** The formats that are pictures. */
     static final Set<String> PICTURES = Set.of("svg", "png", "pngs", "gif");
 
@@ -41,11 +43,11 @@ record Preview(Optional<BufferedImage> image, String text) {
                 StreamExporter png = (StreamExporter) Formats.exporter("png");
                 png.write(run, settings.wide(WIDTH), bytes);
                 return new Preview(
-                        Optional.ofNullable(ImageIO.read(new ByteArrayInputStream(bytes.toByteArray()))), "");
+                        Optional.ofNullable(ImageIO.read(new ByteArrayInputStream(bytes.toByteArray()))), "", false);
             }
-            return new Preview(Optional.empty(), lines(exporter, run, settings));
+            return new Preview(Optional.empty(), lines(exporter, run, settings), false);
         } catch (IOException | ExchangeException e) {
-            return new Preview(Optional.empty(), String.valueOf(e.getMessage()));
+            return new Preview(Optional.empty(), Failures.line(Path.of(""), e), true);
         }
     }
 

@@ -5,6 +5,10 @@ import java.awt.FontMetrics;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
+import java.awt.font.LineBreakMeasurer;
+import java.awt.font.TextAttribute;
+import java.awt.font.TextLayout;
+import java.text.AttributedString;
 import troupe.app.look.Drawn;
 import troupe.app.look.Look;
 import troupe.paint.Tone;
@@ -29,8 +33,9 @@ final class PreviewPane extends Drawn {
 
     /** Shows a preview. */
     void show(Preview preview) {
-        shown = preview;
-        getAccessibleContext().setAccessibleDescription(preview.text());
+        String text = preview.wrong() ? look.texts().tell(preview.text()) : preview.text();
+        shown = new Preview(preview.image(), text, preview.wrong());
+        getAccessibleContext().setAccessibleDescription(text);
         repaint();
     }
 
@@ -50,6 +55,8 @@ final class PreviewPane extends Drawn {
             g.drawString(look.text("export.preview"), PADDING, 24);
         } else if (shown.image().isPresent()) {
             paintImage(g);
+        } else if (shown.wrong()) {
+            paintWrong(g);
         } else {
             paintText(g);
         }
@@ -64,6 +71,20 @@ final class PreviewPane extends Drawn {
         int high = (int) Math.max(1, scale * image.getHeight());
         g.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BICUBIC);
         g.drawImage(image, (getWidth() - wide) / 2, (getHeight() - high) / 2, wide, high, null);
+    }
+
+    /** Paints why there is nothing to be seen, as many lines as it takes. */
+    private void paintWrong(Graphics2D g) {
+        AttributedString words = new AttributedString(shown.text());
+        words.addAttribute(TextAttribute.FONT, look.font());
+        LineBreakMeasurer lines = new LineBreakMeasurer(words.getIterator(), g.getFontRenderContext());
+        g.setColor(look.color(Tone.MOVE));
+        float y = PADDING;
+        while (lines.getPosition() < shown.text().length()) {
+            TextLayout line = lines.nextLayout(Math.max(40, getWidth() - 2 * PADDING));
+            line.draw(g, PADDING, y + line.getAscent());
+            y += line.getAscent() + line.getDescent() + line.getLeading();
+        }
     }
 
     private void paintText(Graphics2D g) {

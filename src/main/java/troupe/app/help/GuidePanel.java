@@ -24,6 +24,7 @@ import javax.swing.text.BadLocationException;
 import javax.swing.text.html.HTMLDocument;
 import javax.swing.text.html.HTMLEditorKit;
 import javax.swing.text.html.StyleSheet;
+import troupe.app.look.Failures;
 import troupe.app.look.FlatButton;
 import troupe.app.look.Look;
 import troupe.app.look.ThinScrollBarUI;
@@ -160,7 +161,7 @@ public final class GuidePanel extends JPanel {
                 GuidePages.Read read = pages.read(page);
                 eventThread.execute(() -> show(read));
             } catch (IOException e) {
-                Markdown.Page none = new Markdown.Page("<p>" + e.getMessage() + "</p>", List.of());
+                Markdown.Page none = new Markdown.Page("<p>" + look.texts().tell(Failures.line(e)) + "</p>", List.of());
                 eventThread.execute(() -> show(new GuidePages.Read(none, Map.of())));
             }
         });

@@ -3,6 +3,7 @@ package troupe.app.look;
 import java.text.MessageFormat;
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -25,20 +26,25 @@ final class Sentences {
     private static final Pattern PLACE = Pattern.compile("\\{(\\d)}");
     private static final Pattern NAMED_NUMBER = Pattern.compile("([A-Za-z][\\w.]*) (-?[\\d.eE]+)");
     private static final Pattern WORD = Pattern.compile("[a-z]{3,}");
+    private static final Pattern VERBATIM = Pattern.compile("[</\"=]");
     private static final int FEW = 10;
     private static final List<String> JOINTS = List.of("; ", ": ");
 
     private final List<Rule> rules;
     private final Function<String, Optional<String>> names;
 
-    /** Where a value stands: its number, and whether it is a name in quotes. */
-    private record Place(int number, boolean quoted) {}
+    /** Where a value stands: its number, whether it is a name in quotes, and whether it is a word of files to be left. */
+    private record Place(int number, boolean quoted, boolean verbatim) {}
 
     /** A sentence: what it looks like in English, which value stands where, and how it is told. */
     private record Rule(Pattern english, List<Place> places, String told, int length) {
-        /** Tells whether a value may stand at a place: words that are not known only in a sentence that is. */
+        /**
+         * Tells whether a value that is not known may stand at a place: words only in a sentence that is known, and no
+         * two sentences.
+         */
         boolean takes(Place place, String value) {
-            return place.quoted() || length >= FEW || !WORD.matcher(value).find();
+            return JOINTS.stream().noneMatch(value::contains)
+                    && (place.quoted() || length >= FEW || !WORD.matcher(value).find());
         }
     }
 
@@ -64,9 +70,12 @@ final class Sentences {
         int end = 0;
         int length = 0;
         while (place.find()) {
-            regex.append(Pattern.quote(pattern.substring(end, place.start()))).append("(.+?)");
             boolean quoted = place.start() > 0 && pattern.charAt(place.start() - 1) == '\'';
-            places.add(new Place(Integer.parseInt(place.group(1)), quoted));
+            regex.append(Pattern.quote(pattern.substring(end, place.start()))).append(quoted ? "(.*?)" : "(.+?)");
+            String around = pattern.substring(Math.max(0, place.start() - 1), place.start())
+                    + pattern.substring(place.end(), Math.min(pattern.length(), place.end() + 1));
+            places.add(new Place(
+                    Integer.parseInt(place.group(1)), quoted, VERBATIM.matcher(around).find()));
             length += place.start() - end;
             end = place.end();
         }
@@ -77,32 +86,44 @@ final class Sentences {
 
     /** Returns a sentence in the other language, or as it is if it is not known. Cost O(patterns). */
     String tell(String sentence) {
-        return told(sentence).orElse(sentence);
+        return told(sentence, new HashMap<>()).orElse(sentence);
     }
 
-    private Optional<String> told(String sentence) {
+    /** Tells a sentence; {@code known} remembers each part, as a part may be asked for again and again. */
+    private Optional<String> told(String sentence, Map<String, Optional<String>> known) {
+        Optional<String> before = known.get(sentence);
+        if (before == null) {
+            before = fitted(sentence, known);
+            known.put(sentence, before);
+        }
+        return before;
+    }
+
+    private Optional<String> fitted(String sentence, Map<String, Optional<String>> known) {
         for (Rule rule : rules) {
             Matcher matcher = rule.english().matcher(sentence);
             Object[] values = new Object[10];
             boolean fits = matcher.matches();
             for (int i = 0; fits && i < rule.places().size(); i++) {
-                Optional<String> value = value(matcher.group(i + 1));
-                fits = value.isPresent() || rule.takes(rule.places().get(i), matcher.group(i + 1));
-                values[rule.places().get(i).number()] = value.orElse(matcher.group(i + 1));
+                Place place = rule.places().get(i);
+                String there = matcher.group(i + 1);
+                Optional<String> value = place.verbatim() ? Optional.empty() : value(there, known);
+                fits = value.isPresent() || rule.takes(place, there);
+                values[place.number()] = value.orElse(there);
             }
             if (fits) {
                 return Optional.of(new MessageFormat(rule.told(), Locale.ROOT).format(values));
             }
         }
-        return joined(sentence);
+        return joined(sentence, known);
     }
 
     /** Tells two sentences that are joined, or one behind a name, if the last part is known. */
-    private Optional<String> joined(String sentence) {
+    private Optional<String> joined(String sentence, Map<String, Optional<String>> known) {
         for (String joint : JOINTS) {
             for (int at = sentence.indexOf(joint); at > 0; at = sentence.indexOf(joint, at + 1)) {
-                Optional<String> first = told(sentence.substring(0, at));
-                Optional<String> last = told(sentence.substring(at + joint.length()));
+                Optional<String> first = told(sentence.substring(0, at), known);
+                Optional<String> last = told(sentence.substring(at + joint.length()), known);
                 if (last.isPresent() && (first.isPresent() || joint.equals(": "))) {
                     String begin = first.orElse(sentence.substring(0, at));
                     return Optional.of(begin + (joint.equals(": ") ? "\uff1a" : "\uff1b") + last.get());
@@ -112,7 +133,7 @@ final class Sentences {
         return Optional.empty();
     }
 
-    private Optional<String> value(String text) {
+    private Optional<String> value(String text, Map<String, Optional<String>> known) {
         Matcher number = NAMED_NUMBER.matcher(text);
         if (number.matches()) {
             Optional<String> name = names.apply(number.group(1));
@@ -120,6 +141,6 @@ final class Sentences {
                 return Optional.of(name.get() + " " + number.group(2));
             }
         }
-        return names.apply(text).or(() -> told(text));
+        return names.apply(text).or(() -> told(text, known));
     }
 }

@@ -10,6 +10,7 @@ import java.util.concurrent.Executor;
 import java.util.function.Consumer;
 import troupe.app.document.EventThread;
 import troupe.app.document.SceneDocument;
+import troupe.app.look.Failures;
 import troupe.app.session.Notice;
 import troupe.app.session.SceneFiles;
 import troupe.app.session.Session;
@@ -144,7 +145,7 @@ public final class Recovery implements AutoCloseable {
     }
 
     private void tell(IOException e) {
-        eventThread.execute(() -> session.notices().tell(new Notice(true, String.valueOf(e.getMessage()))));
+        eventThread.execute(() -> session.notices().tell(new Notice(true, Failures.line(e))));
     }
 
     /** Ends, as the document is given up on purpose: nothing is kept of it. */

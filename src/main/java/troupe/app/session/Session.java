@@ -11,6 +11,7 @@ import troupe.app.document.EventThread;
 import troupe.app.document.Listeners;
 import troupe.app.document.SceneDocument;
 import troupe.app.document.Selection;
+import troupe.app.look.Failures;
 import troupe.app.plan.Intervention;
 import troupe.app.plan.LivePlanner;
 import troupe.app.plan.Plan;
@@ -242,7 +243,7 @@ public final class Session implements AutoCloseable {
                 Scene read = files.read(file);
                 eventThread.execute(() -> document.open(read, belongs));
             } catch (SceneException | IOException e) {
-                tell(new Notice(true, line(file, e)));
+                tell(new Notice(true, Failures.line(file, e)));
             }
         });
     }
@@ -256,14 +257,9 @@ public final class Session implements AutoCloseable {
                 files.write(written, file);
                 eventThread.execute(() -> document.savedAs(file, written));
             } catch (IOException e) {
-                tell(new Notice(true, line(file, e)));
+                tell(new Notice(true, Failures.line(file, e)));
             }
         });
-    }
-
-    private static String line(Path file, Exception e) {
-        String message = e.getMessage() == null ? e.getClass().getSimpleName() : e.getMessage();
-        return message.contains(String.valueOf(file.getFileName())) ? message : file + ": " + message;
     }
 
     private void tell(Notice notice) {

@@ -20,6 +20,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.KeyStroke;
+import troupe.app.look.Failures;
 import troupe.app.look.FlatButton;
 import troupe.app.look.Look;
 import troupe.app.look.ThinScrollBarUI;
@@ -144,7 +145,7 @@ public final class StartPage extends JPanel {
             eventThread.execute(() -> showExamples(groups));
         } catch (IOException e) {
             eventThread.execute(() -> {
-                gallery.add(look.label(String.valueOf(e.getMessage()), Tone.DIM));
+                gallery.add(look.label(look.texts().tell(Failures.line(e)), Tone.DIM));
                 gallery.revalidate();
             });
         }

@@ -53,8 +53,7 @@ final class RunArchive implements Closeable {
         try {
             return new ZipFile(file.toFile());
         } catch (IOException | IllegalArgumentException e) {
-            throw new RunException(
-                    "not a ZIP archive, or cut off (" + RunXmlReader.oneLine(String.valueOf(e.getMessage())) + ")", e);
+            throw new RunException("not a ZIP archive, or cut off", e);
         }
     }
 
@@ -90,8 +89,7 @@ final class RunArchive implements Closeable {
         try (InputStream in = zip.getInputStream(entry)) {
             bytes = in.readNBytes(most + 1);
         } catch (IOException | IllegalArgumentException e) {
-            throw new RunException(
-                    "part '" + name + "' is damaged (" + RunXmlReader.oneLine(String.valueOf(e.getMessage())) + ")", e);
+            throw new RunException("part '" + name + "' is damaged", e);
         }
         if (bytes.length > most) {
             throw new RunException("part '" + name + "' has more than " + most + " bytes");

@@ -1,6 +1,5 @@
 package troupe.run.file;
 
-import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
@@ -8,13 +7,9 @@ import java.util.Deque;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import javax.xml.XMLConstants;
-import javax.xml.parsers.ParserConfigurationException;
-import javax.xml.parsers.SAXParserFactory;
+import java.util.Optional;
 import javax.xml.validation.Schema;
-import javax.xml.validation.SchemaFactory;
 import org.xml.sax.Attributes;
-import org.xml.sax.InputSource;
 import org.xml.sax.Locator;
 import org.xml.sax.SAXException;
 import org.xml.sax.SAXParseException;
@@ -22,6 +17,8 @@ import org.xml.sax.helpers.DefaultHandler;
 import troupe.run.Channel;
 import troupe.run.Report;
 import troupe.run.Run;
+import troupe.scene.xml.StrictXml;
+import troupe.scene.xml.XmlMistakes;
 import troupe.search.Outcome;
 
 /** Reads {@code run.xml}, checked against its schema while it is read; document types are refused. Used once. */
@@ -58,37 +55,23 @@ final class RunXmlReader extends DefaultHandler {
     static RunManifest read(byte[] xml) throws RunException {
         RunXmlReader reader = new RunXmlReader();
         try {
-            SAXParserFactory factory = SAXParserFactory.newDefaultInstance();
-            factory.setNamespaceAware(true);
-            factory.setFeature(XMLConstants.FEATURE_SECURE_PROCESSING, true);
-            factory.setFeature("http://apache.org/xml/features/disallow-doctype-decl", true);
-            factory.setSchema(Compiled.SCHEMA);
-            factory.newSAXParser().parse(new InputSource(new ByteArrayInputStream(xml)), reader);
+            StrictXml.parse(xml, Optional.of(Compiled.SCHEMA), reader);
             return reader.manifest();
         } catch (SAXParseException e) {
             throw new RunException(
-                    "run.xml:" + e.getLineNumber() + ":" + e.getColumnNumber() + ": " + oneLine(e.getMessage()), e);
+                    "run.xml:" + e.getLineNumber() + ":" + e.getColumnNumber() + ": " + plain(e), e);
         } catch (SAXException | IOException e) {
-            throw new RunException("run.xml: " + oneLine(String.valueOf(e.getMessage())), e);
-        } catch (ParserConfigurationException e) {
-            throw new IllegalStateException("this Java lacks a part of its XML parser", e);
+            throw new RunException("run.xml: " + plain(e), e);
         }
     }
 
     /** Holds the compiled schema, which is immutable and serves any thread. */
     private static final class Compiled {
-        static final Schema SCHEMA = compile();
+        static final Schema SCHEMA = StrictXml.schema(RunXmlReader.class.getResource("/troupe/run/run.xsd"));
+    }
 
-        private static Schema compile() {
-            try {
-                SchemaFactory factory = SchemaFactory.newDefaultInstance();
-                factory.setProperty(XMLConstants.ACCESS_EXTERNAL_DTD, "");
-                factory.setProperty(XMLConstants.ACCESS_EXTERNAL_SCHEMA, "");
-                return factory.newSchema(RunXmlReader.class.getResource("/troupe/run/run.xsd"));
-            } catch (SAXException e) {
-                throw new IllegalStateException("the schema of run files is not valid", e);
-            }
-        }
+    private static String plain(Exception e) {
+        return oneLine(XmlMistakes.of(XmlMistakes.bare(String.valueOf(e.getMessage()))).message());
     }
 
     static String oneLine(String text) {

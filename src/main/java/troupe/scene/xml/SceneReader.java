@@ -1,8 +1,6 @@
 package troupe.scene.xml;
 
-import java.io.ByteArrayInputStream;
 import java.io.IOException;
-import java.net.URL;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -11,17 +9,11 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.regex.Pattern;
-import javax.xml.XMLConstants;
-import javax.xml.parsers.ParserConfigurationException;
-import javax.xml.parsers.SAXParserFactory;
 import javax.xml.validation.Schema;
-import javax.xml.validation.SchemaFactory;
 import org.xml.sax.Attributes;
-import org.xml.sax.InputSource;
 import org.xml.sax.Locator;
 import org.xml.sax.SAXException;
 import org.xml.sax.SAXParseException;
-import org.xml.sax.XMLReader;
 import org.xml.sax.helpers.DefaultHandler;
 import troupe.geometry.Polygon;
 import troupe.scene.Ability;
@@ -56,7 +48,7 @@ final class SceneReader extends DefaultHandler {
     /** The most corners of all polygons of a file together. */
     private static final int MAX_CORNERS = 500_000;
 
-    private static final Schema SCHEMA = schema();
+    private static final Schema SCHEMA = StrictXml.schema(SceneReader.class.getResource("/troupe/scene/scene.xsd"));
 
     private static final Pattern FACET = Pattern.compile("^cvc-(pattern|enumeration|datatype|.*clusive)-valid");
 
@@ -98,13 +90,7 @@ final class SceneReader extends DefaultHandler {
 
     SceneSource read(byte[] bytes) throws SceneException, IOException {
         try {
-            XMLReader reader = parser();
-            reader.setContentHandler(this);
-            reader.setErrorHandler(this);
-            reader.setEntityResolver((publicId, systemId) -> {
-                throw new SAXException("external references are not allowed");
-            });
-            reader.parse(new InputSource(new ByteArrayInputStream(bytes)));
+            StrictXml.parse(bytes, Optional.of(SCHEMA), this);
         } catch (SAXParseException e) {
             if (problems.isEmpty()) {
                 fatal(e.getLineNumber(), e.getColumnNumber(), e);
@@ -123,34 +109,10 @@ final class SceneReader extends DefaultHandler {
     /** Returns the text of an error on one line, without codes and namespaces, long values cut. */
     private static String message(Exception e) {
         String text = e.getMessage() == null ? e.getClass().getSimpleName() : e.getMessage();
-        return text.replaceAll("^cvc-[^:]*: ", "")
+        return XmlMistakes.bare(text)
                 .replaceAll("\\{?\"" + SceneXml.NAMESPACE + "\":([\\w.-]+)\\}?", "$1")
                 .replaceAll("'([^'\\s]{40})[^'\\s]+'", "'$1…'")
                 .replaceAll("\\s+", " ");
-    }
-
-    private static XMLReader parser() throws SAXException {
-        try {
-            SAXParserFactory factory = SAXParserFactory.newDefaultInstance();
-            factory.setNamespaceAware(true);
-            factory.setSchema(SCHEMA);
-            factory.setFeature(XMLConstants.FEATURE_SECURE_PROCESSING, true);
-            factory.setFeature("http://apache.org/xml/features/disallow-doctype-decl", true);
-            return factory.newSAXParser().getXMLReader();
-        } catch (ParserConfigurationException e) {
-            throw new IllegalStateException("the JDK's own XML parser lacks a standard feature", e);
-        }
-    }
-
-    private static Schema schema() {
-        URL url = SceneReader.class.getResource("/troupe/scene/scene.xsd");
-        try {
-            SchemaFactory factory = SchemaFactory.newDefaultInstance();
-            factory.setFeature(XMLConstants.FEATURE_SECURE_PROCESSING, true);
-            return factory.newSchema(url);
-        } catch (SAXException e) {
-            throw new IllegalStateException("the program's own schema " + url + " cannot be read", e);
-        }
     }
 
     private void problem(int line, int column, String element, String message, String cure) {
@@ -175,7 +137,8 @@ final class SceneReader extends DefaultHandler {
             facet = " " + message(e);
             return;
         }
-        problem(e.getLineNumber(), e.getColumnNumber(), "", message(e) + facet, "");
+        XmlMistakes.Mistake mistake = XmlMistakes.of(message(e) + facet);
+        problem(e.getLineNumber(), e.getColumnNumber(), "", mistake.message(), mistake.cure());
         facet = "";
         if (problems.size() >= MAX_PROBLEMS) {
             throw e;

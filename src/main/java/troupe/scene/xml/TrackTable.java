@@ -108,7 +108,7 @@ public final class TrackTable {
         private void row(String text, Map<Long, List<Avatar.Fix>> tracks) throws SceneException {
             String[] words = text.split(",", -1);
             if (words.length != 4) {
-                throw mistake("'" + words.length + " values where frame,id,x,y is expected'");
+                throw mistake(words.length + " values where frame,id,x,y is expected");
             }
             if (!(rate > 0 && rate <= 1000)) {
                 throw new SceneException(
