@@ -14,7 +14,11 @@ final class Instants {
         double count = Math.ceil(duration * settings.rate() - 1e-9) + 1;
         if (!(count <= MOST)) {
             throw new ExchangeException(
-                    "the run of " + Math.round(duration) + " s", 0, 0, "more than " + MOST + " pictures", "lower the rate");
+                    "the run of " + Math.round(duration) + " s",
+                    0,
+                    0,
+                    "more than " + MOST + " pictures",
+                    "lower the rate");
         }
         double[] instants = new double[(int) count];
         for (int k = 0; k < instants.length; k++) {

@@ -75,7 +75,9 @@ final class Sentences {
             String around = pattern.substring(Math.max(0, place.start() - 1), place.start())
                     + pattern.substring(place.end(), Math.min(pattern.length(), place.end() + 1));
             places.add(new Place(
-                    Integer.parseInt(place.group(1)), quoted, VERBATIM.matcher(around).find()));
+                    Integer.parseInt(place.group(1)),
+                    quoted,
+                    VERBATIM.matcher(around).find()));
             length += place.start() - end;
             end = place.end();
         }

@@ -58,8 +58,7 @@ final class RunXmlReader extends DefaultHandler {
             StrictXml.parse(xml, Optional.of(Compiled.SCHEMA), reader);
             return reader.manifest();
         } catch (SAXParseException e) {
-            throw new RunException(
-                    "run.xml:" + e.getLineNumber() + ":" + e.getColumnNumber() + ": " + plain(e), e);
+            throw new RunException("run.xml:" + e.getLineNumber() + ":" + e.getColumnNumber() + ": " + plain(e), e);
         } catch (SAXException | IOException e) {
             throw new RunException("run.xml: " + plain(e), e);
         }
@@ -71,7 +70,8 @@ final class RunXmlReader extends DefaultHandler {
     }
 
     private static String plain(Exception e) {
-        return oneLine(XmlMistakes.of(XmlMistakes.bare(String.valueOf(e.getMessage()))).message());
+        return oneLine(
+                XmlMistakes.of(XmlMistakes.bare(String.valueOf(e.getMessage()))).message());
     }
 
     static String oneLine(String text) {

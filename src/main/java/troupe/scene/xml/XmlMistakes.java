@@ -120,7 +120,10 @@ public final class XmlMistakes {
             value(".* is not a valid value for '(?:integer|int|long)'\\.", "write a whole number"),
             value(".* is not a valid value for '(?:double|decimal)'\\.", "write a number"),
             value("(?: .*)?", "look the attribute up in the page of the format"),
-            rule("Value '(.*)' (?:with length = .* )?is not facet-valid with respect to .*", "'$1' is out of place", ""),
+            rule(
+                    "Value '(.*)' (?:with length = .* )?is not facet-valid with respect to .*",
+                    "'$1' is out of place",
+                    ""),
             rule("'(.*)' is not a valid value for '.*'\\.", "'$1' is out of place", ""));
 
     private XmlMistakes() {}

@@ -23,8 +23,7 @@ class SentencesTest {
     private static final Pattern WORDS = Pattern.compile("[a-z]+ [a-z]+");
     private static final Path MAIN = Path.of("src/main/java/troupe");
     /** What reads files tells of arguments that come from them. */
-    private static final List<Path> READING =
-            List.of(MAIN.resolve("scene/xml"), MAIN.resolve("scene/Numbers.java"));
+    private static final List<Path> READING = List.of(MAIN.resolve("scene/xml"), MAIN.resolve("scene/Numbers.java"));
 
     private static String tell(String sentence) {
         return CHINESE.tell(sentence);
@@ -70,7 +69,8 @@ class SentencesTest {
     private static List<String> pieces(List<Path> sources) throws IOException {
         List<String> all = new ArrayList<>();
         for (Path source : sources) {
-            boolean told = source.endsWith("SettingTable.java") || READING.stream().anyMatch(source::startsWith);
+            boolean told =
+                    source.endsWith("SettingTable.java") || READING.stream().anyMatch(source::startsWith);
             String thrown = told ? "IllegalState" : "Illegal(State|Argument)";
             String code = Files.readString(source)
                     .replaceAll("(?s)/\\*\\*.*?\\*/", "")

@@ -142,15 +142,22 @@ class SceneXmlTest {
                         .toList());
         String movable = refused(scene("<obstacle id=\"o\" height=\"1\" movable=\"maybe\" points=\"1,1 2,1 2,2\"/>"))
                 .getMessage();
-        assertTrue(movable.contains("<obstacle … movable=\"maybe\"> is not allowed; write true or false") && !movable.contains("more)"), movable);
+        assertTrue(
+                movable.contains("<obstacle … movable=\"maybe\"> is not allowed; write true or false")
+                        && !movable.contains("more)"),
+                movable);
         for (String attribute : List.of("spread", "manipulation")) {
             SceneException e = refused(
                     scene("<journey id=\"j\" actor=\"a\" start=\"1,1\" goal=\"2,2\" " + attribute + "=\"fast\"/>"));
             assertEquals(1, e.problems().size(), e.problems()::toString);
-            assertTrue(e.getMessage().contains("<journey … " + attribute + "=\"fast\"> is not allowed; write one of "), e.getMessage());
+            assertTrue(
+                    e.getMessage().contains("<journey … " + attribute + "=\"fast\"> is not allowed; write one of "),
+                    e.getMessage());
         }
         String unknown = refused(scene("<well/>")).getMessage();
-        assertTrue(unknown.contains("<well> does not belong here; write one of obstacle, ditch, actor, journey, enc"), unknown);
+        assertTrue(
+                unknown.contains("<well> does not belong here; write one of obstacle, ditch, actor, journey, enc"),
+                unknown);
     }
 
     @Test
