@@ -28,6 +28,9 @@ public final class CrowdPainter {
     /** More agents than this are painted without trails. */
     private static final int MOST_TRAILS = 2_000;
 
+    /** Discs of a smaller radius in pixels have no sign. */
+    private static final double LEAST_SIGNED = 3;
+
     private static final int ARRIVED = 2;
     /** Colours that differ for any colour vision: Okabe and Ito 2008, without black and yellow. */
     private static final int[] COLOURS = {0x0072b2, 0xd55e00, 0x009e73, 0xcc79a7, 0x56b4e9, 0xe69f00};
@@ -43,6 +46,16 @@ public final class CrowdPainter {
             int x, int y, int heading, int state, int count, double radius, Color colour, GroupMark mark) {}
 
     private record Flag(Place goal, Color colour) {}
+
+    /** Paints a trail: {@code x0, y0, x1, y1, …} in pixels. */
+    private interface TrailPainter {
+        void paint(double[] xy, double width, Color colour);
+    }
+
+    /** Paints an agent at a pixel. */
+    private interface AgentPainter {
+        void paint(double x, double y, double headingRad, Color colour);
+    }
 
     /** Makes a painter that colours by the deepest groups and shows trails. */
     public CrowdPainter(Crowd crowd, Frames frames, Theme theme) {
@@ -135,25 +148,51 @@ public final class CrowdPainter {
         int frame = Track.frameAt(frames, time);
         Graphics2D g = Shapes.smooth(graphics);
         if (trails) {
-            shown.forEach(group -> paintTrails(g, view, group, frame));
+            shown.forEach(group -> eachTrail(view, group, frame, (xy, width, colour) -> {
+                g.setColor(colour);
+                g.setStroke(Theme.line((float) width));
+                g.draw(path(xy));
+            }));
         }
         shown.forEach(group -> paintGroup(g, view, group, frame));
         g.dispose();
     }
 
-    private void paintTrails(Graphics2D g, Viewport view, Shown group, int frame) {
+    /**
+     * Paints the same, pixel by pixel where agents are small and the graphics allow it, for windows in which thousands
+     * move.
+     */
+    public void paintAgents(Graphics2D graphics, Viewport view, double time, AgentPixels pixels) {
+        double largest = shown.stream()
+                .mapToDouble(group -> discRadius(group, view))
+                .max()
+                .orElse(0);
+        if (frames.count() == 0 || !pixels.begin(graphics) || !pixels.takes(largest)) {
+            paintAgents(graphics, view, time);
+            return;
+        }
+        int frame = Track.frameAt(frames, time);
+        if (trails) {
+            shown.forEach(group ->
+                    eachTrail(view, group, frame, (xy, width, colour) -> pixels.line(xy, xy.length, width, colour)));
+        }
+        shown.forEach(group -> layGroup(pixels, view, group, frame));
+        pixels.draw(graphics);
+    }
+
+    private void eachTrail(Viewport view, Shown group, int frame, TrailPainter painter) {
         int step = (int) Math.max(1, Math.round(TRAIL_STEP * frames.rate()));
         int first = (int) Math.max(0, frame - Math.round(TRAIL_SECONDS * frames.rate()));
         Color c = group.colour();
-        g.setColor(new Color(c.getRed(), c.getGreen(), c.getBlue(), 90));
-        g.setStroke(Theme.line((float) Math.max(1, 0.3 * group.radius() * view.scale())));
+        Color pale = new Color(c.getRed(), c.getGreen(), c.getBlue(), 90);
+        double width = Math.max(1, 0.3 * group.radius() * view.scale());
+        double[] xy = new double[2 * ((frame - first) / step + 1)];
         for (int m = 0; m < group.count(); m++) {
-            Path2D trail = new Path2D.Double();
-            trail.moveTo(px(view, group, frame, m), py(view, group, frame, m));
-            for (int k = frame - step; k >= first; k -= step) {
-                trail.lineTo(px(view, group, k, m), py(view, group, k, m));
+            for (int k = 0; k < xy.length; k += 2) {
+                xy[k] = px(view, group, frame - k / 2 * step, m);
+                xy[k + 1] = py(view, group, frame - k / 2 * step, m);
             }
-            g.draw(trail);
+            painter.paint(xy, width, pale);
         }
     }
 
@@ -165,21 +204,53 @@ public final class CrowdPainter {
         return view.py(frames.value(frame, group.y(), m));
     }
 
+    private static Path2D path(double[] xy) {
+        Path2D path = new Path2D.Double();
+        path.moveTo(xy[0], xy[1]);
+        for (int k = 2; k < xy.length; k += 2) {
+            path.lineTo(xy[k], xy[k + 1]);
+        }
+        return path;
+    }
+
+    private static double discRadius(Shown group, Viewport view) {
+        return Math.max(1.2, group.radius() * view.scale());
+    }
+
     private void paintGroup(Graphics2D g, Viewport view, Shown group, int frame) {
-        double r = Math.max(1.2, group.radius() * view.scale());
-        Color settled = Shapes.blend(group.colour(), theme.color(Tone.FLOOR), 0.45);
-        Color edge = theme.color(Tone.PANEL);
+        double r = discRadius(group, view);
         g.setStroke(Theme.line((float) Math.min(1.5, r / 5)));
-        for (int m = 0; m < group.count(); m++) {
-            double x = px(view, group, frame, m);
-            double y = py(view, group, frame, m);
-            g.setColor(frames.value(frame, group.state(), m) == ARRIVED ? settled : group.colour());
+        eachAgent(view, group, frame, (x, y, headingRad, colour) -> {
+            g.setColor(colour);
             g.fill(new Ellipse2D.Double(x - r, y - r, 2 * r, 2 * r));
-            if (r < 3) {
-                continue;
+            if (r >= LEAST_SIGNED) {
+                g.setColor(theme.color(Tone.PANEL));
+                group.mark().fill(g, x, y, r, headingRad);
             }
-            g.setColor(edge);
-            group.mark().fill(g, x, y, r, frames.value(frame, group.heading(), m));
+        });
+    }
+
+    private void layGroup(AgentPixels pixels, Viewport view, Shown group, int frame) {
+        double r = discRadius(group, view);
+        Color edge = theme.color(Tone.PANEL);
+        pixels.size(r);
+        eachAgent(view, group, frame, (x, y, headingRad, colour) -> {
+            pixels.disc(x, y, colour);
+            if (r >= LEAST_SIGNED) {
+                pixels.sign(group.mark(), x, y, headingRad, edge);
+            }
+        });
+    }
+
+    private void eachAgent(Viewport view, Shown group, int frame, AgentPainter painter) {
+        Color settled = Shapes.blend(group.colour(), theme.color(Tone.FLOOR), 0.45);
+        for (int m = 0; m < group.count(); m++) {
+            boolean arrived = frames.value(frame, group.state(), m) == ARRIVED;
+            painter.paint(
+                    px(view, group, frame, m),
+                    py(view, group, frame, m),
+                    frames.value(frame, group.heading(), m),
+                    arrived ? settled : group.colour());
         }
     }
 

@@ -34,7 +34,7 @@ final class Moved {
         this.run = run;
         List<One> found = new ArrayList<>();
         if (run.frames().count() > 0) {
-            for (Track track : Track.of(run)) {
+            for (Track track : Track.of(run, id -> run.scene().obstacle(id).isPresent())) {
                 Optional<Obstacle> obstacle = run.scene().obstacle(track.owner());
                 obstacle.ifPresent(o -> found.add(new One(o, track, way(run, track))));
             }

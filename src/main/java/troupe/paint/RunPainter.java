@@ -241,10 +241,20 @@ public final class RunPainter {
 
     /** Paints every actor where it is at {@code time} seconds: a disc of its radius with its heading. */
     public void paintActors(Graphics2D graphics, Viewport view, double time) {
+        crowd.ifPresent(c -> c.paintAgents(graphics, view, time));
+        paintOthers(graphics, view, time);
+    }
+
+    /** Paints the same, the agents of a crowd pixel by pixel; see {@link CrowdPainter#paintAgents}. */
+    public void paintActors(Graphics2D graphics, Viewport view, double time, AgentPixels pixels) {
+        crowd.ifPresent(c -> c.paintAgents(graphics, view, time, pixels));
+        paintOthers(graphics, view, time);
+    }
+
+    private void paintOthers(Graphics2D graphics, Viewport view, double time) {
         if (run.frames().count() == 0) {
             return;
         }
-        crowd.ifPresent(c -> c.paintAgents(graphics, view, time));
         encounter.ifPresent(e -> e.paint(graphics, view, time));
         int frame = Track.frameAt(run.frames(), time);
         Graphics2D g = Shapes.smooth(graphics);

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Predicate;
 import troupe.run.Channel;
 import troupe.run.Frames;
 import troupe.run.Run;
@@ -46,10 +47,17 @@ public final class Track {
 
     /** Returns the tracks of all owners that have channels x and y, in the order of the channels: actors and moved obstacles. */
     public static List<Track> of(Run run) {
+        return of(run, owner -> true);
+    }
+
+    /** Returns those of the tracks whose owner is one of the given. */
+    static List<Track> of(Run run, Predicate<String> owners) {
         Frames frames = run.frames();
         List<Track> tracks = new ArrayList<>();
         for (Channel channel : frames.channels()) {
-            if (channel.name().equals("x") && frames.channel(channel.owner(), "y") >= 0) {
+            if (channel.name().equals("x")
+                    && owners.test(channel.owner())
+                    && frames.channel(channel.owner(), "y") >= 0) {
                 double elevation = run.scene()
                         .obstacle(channel.owner())
                         .map(Obstacle::offset)

@@ -4,6 +4,7 @@ import java.awt.Cursor;
 import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
+import java.awt.Rectangle;
 import java.awt.RenderingHints;
 import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
@@ -32,6 +33,7 @@ import troupe.paint.ScaleBar;
 import troupe.paint.Tone;
 import troupe.paint.Viewport;
 import troupe.scene.Scene;
+import troupe.scene.World;
 
 /**
  * Shows the scene from above, what the planner found, and what the tool does. Zooms at the pointer with
@@ -44,6 +46,10 @@ public final class Canvas extends Drawn implements AutoCloseable {
     private static final int BOTTOM = 72;
 
     private static final int CARD_MARGIN = 12;
+    /** How far agents reach over the edge of the ground: pixels at least, and metres. */
+    private static final double LEAST_REACH = 12;
+
+    private static final double REACH_M = 1;
 
     private final transient Look look;
     private final transient Session session;
@@ -108,7 +114,7 @@ public final class Canvas extends Drawn implements AutoCloseable {
         leave.add(session.selection().listeners().add(s -> repaint()));
         leave.add(session.playback().listeners().add(p -> {
             layers.requestMoment();
-            repaint();
+            repaintMoving();
         }));
         leave.add(session.plans().add(plan -> layers.request()));
         leave.add(session.comparison().listeners().add(c -> repaint()));
@@ -117,6 +123,24 @@ public final class Canvas extends Drawn implements AutoCloseable {
             layers.request();
         }));
         layers.request();
+    }
+
+    /** Paints anew what the time shown changes: of a crowd only the ground, so that what lies over it need not be. */
+    private void repaintMoving() {
+        if (!layers.movesInside()) {
+            repaint();
+            return;
+        }
+        World world = session.document().shown().world();
+        double reach = Math.max(LEAST_REACH, REACH_M * view.scale());
+        Rectangle2D ground = new Rectangle2D.Double(
+                (view.px(0) - reach) * scale,
+                (view.py(world.depth()) - reach) * scale,
+                (world.width() * view.scale() + 2 * reach) * scale,
+                (world.depth() * view.scale() + 2 * reach) * scale);
+        Rectangle part = ground.createIntersection(new Rectangle(getWidth(), getHeight()))
+                .getBounds();
+        repaint(part.x, part.y, part.width, part.height);
     }
 
     /** Returns the observers of the viewport. */

@@ -17,6 +17,7 @@ import troupe.app.tool.PartPainter;
 import troupe.app.tool.SelectionPainter;
 import troupe.app.tool.Tool;
 import troupe.geometry.Pose;
+import troupe.paint.AgentPixels;
 import troupe.paint.Labels;
 import troupe.paint.Legend;
 import troupe.paint.OverlayPainter;
@@ -25,6 +26,7 @@ import troupe.paint.ScenePainter;
 import troupe.paint.TaskPainter;
 import troupe.paint.Tone;
 import troupe.paint.Viewport;
+import troupe.scene.Crowd;
 import troupe.scene.Journey;
 import troupe.scene.Scene;
 import troupe.scene.World;
@@ -42,6 +44,7 @@ final class CanvasLayers implements AutoCloseable {
     private final Moments moments;
     private final Ghost ghost;
     private final LayerStack stack;
+    private final AgentPixels agents = new AgentPixels();
     private Viewport view = new Viewport(0, 0, 1);
     private Findings findings = Findings.NONE;
     private Painters.Prepared prepared;
@@ -112,6 +115,11 @@ final class CanvasLayers implements AutoCloseable {
     /** Returns the legend of what is shown, once it is prepared. */
     Optional<Legend> legend() {
         return Optional.ofNullable(prepared).map(Painters.Prepared::legend);
+    }
+
+    /** Tells whether all that time changes lies on the ground of the scene: so it is with crowds. */
+    boolean movesInside() {
+        return run().isPresent() && session.document().shownTask().orElse(null) instanceof Crowd;
     }
 
     /** Paints all layers. */
@@ -246,7 +254,7 @@ final class CanvasLayers implements AutoCloseable {
 
     private void paintActors(Graphics2D g) {
         ghost.paintMovers(g, view);
-        run().ifPresent(run -> run.paintActors(g, view, session.playback().time()));
+        run().ifPresent(run -> run.paintActors(g, view, session.playback().time(), agents));
     }
 
     private static LayerStack.Layer layer(Supplier<Object> stamp, Consumer<Graphics2D> painting) {

@@ -2,6 +2,7 @@ package troupe.app.canvas;
 
 import java.awt.Color;
 import java.awt.Graphics2D;
+import java.awt.RenderingHints;
 import java.awt.geom.AffineTransform;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
@@ -10,7 +11,8 @@ import java.util.Objects;
 
 /**
  * Paints layers one over the other and keeps a picture of those below the lowest one that changed, so
- * that playing a run or dragging a thing paints only what moves. A layer changes when its stamp does.
+ * that playing a run or dragging a thing paints only what moves; where nothing changed, the picture of all of them is
+ * shown again. A layer changes when its stamp does. The pictures are made in memory, and go to the screen at once.
  */
 final class LayerStack {
 
@@ -26,7 +28,9 @@ final class LayerStack {
 
     private final List<Layer> layers;
     private List<Object> stamps = List.of();
+    private RenderingHints hints;
     private BufferedImage below;
+    private BufferedImage all;
     private int kept;
     private Object ground;
     private int painted;
@@ -54,24 +58,47 @@ final class LayerStack {
         Object groundNow = List.of(width, height, sx, sy, background, common);
         boolean whole = !groundNow.equals(ground);
         int keep = whole ? 0 : lowestChange(now);
+        boolean same = !whole && now.equals(stamps);
         ground = groundNow;
         stamps = now;
         painted = 0;
+        if (!same) {
+            hints = g.getRenderingHints();
+            compose(keep, (int) Math.ceil(width * sx), (int) Math.ceil(height * sy), scale, background);
+        }
+        Graphics2D device = (Graphics2D) g.create();
+        device.setTransform(AffineTransform.getTranslateInstance(scale.getTranslateX(), scale.getTranslateY()));
+        device.drawImage(all, 0, 0, null);
+        device.dispose();
+    }
+
+    /** Makes the picture of all layers, those below {@code keep} from what is kept of them. */
+    private void compose(int keep, int width, int height, AffineTransform scale, Color background) {
+        all = room(all, width, height);
+        Graphics2D g = all.createGraphics();
+        g.setRenderingHints(hints);
+        g.clipRect(0, 0, width, height);
         if (keep > 0) {
-            keepLayers(keep, (int) Math.ceil(width * sx), (int) Math.ceil(height * sy), scale, background);
-            Graphics2D device = (Graphics2D) g.create();
-            device.setTransform(AffineTransform.getTranslateInstance(scale.getTranslateX(), scale.getTranslateY()));
-            device.drawImage(below, 0, 0, null);
-            device.dispose();
+            keepLayers(keep, width, height, scale, background);
+            g.drawImage(below, 0, 0, null);
         } else {
             kept = 0;
             g.setColor(background);
             g.fillRect(0, 0, width, height);
         }
+        g.scale(scale.getScaleX(), scale.getScaleY());
         for (int i = keep; i < layers.size(); i++) {
             layers.get(i).paint(g);
             painted++;
         }
+        g.dispose();
+    }
+
+    /** Returns a picture of a size, the one given if it fits. */
+    private static BufferedImage room(BufferedImage image, int width, int height) {
+        return image != null && image.getWidth() == width && image.getHeight() == height
+                ? image
+                : new BufferedImage(Math.max(1, width), Math.max(1, height), BufferedImage.TYPE_INT_RGB);
     }
 
     /** Returns the lowest layer that changed, or as many as are kept already if none did. */
@@ -85,14 +112,14 @@ final class LayerStack {
     }
 
     private void keepLayers(int keep, int width, int height, AffineTransform scale, Color background) {
-        boolean fits = below != null && below.getWidth() == width && below.getHeight() == height;
-        if (!fits) {
-            below = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
-        }
+        BufferedImage before = below;
+        below = room(below, width, height);
+        boolean fits = below == before;
         if (!fits || kept > keep || kept == 0) {
             kept = 0;
         }
         Graphics2D g = below.createGraphics();
+        g.setRenderingHints(hints);
         if (kept == 0) {
             g.setColor(background);
             g.fillRect(0, 0, width, height);

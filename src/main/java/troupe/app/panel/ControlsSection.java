@@ -31,6 +31,9 @@ final class ControlsSection extends Panel {
     private final transient Map<String, JSlider> sliders = new LinkedHashMap<>();
     private final transient Map<String, JLabel> values = new LinkedHashMap<>();
     private transient List<Simulation.Control> shown = List.of();
+    /** What was given until the moment shown last; null where the sliders have to be set in any case. */
+    private transient Map<String, Double> told;
+
     private boolean showing;
     private boolean held;
 
@@ -58,6 +61,7 @@ final class ControlsSection extends Panel {
     }
 
     private void build() {
+        told = null;
         sliders.clear();
         values.clear();
         Rows rows = new Rows(this, look());
@@ -113,6 +117,7 @@ final class ControlsSection extends Panel {
     private void change(Simulation.Control control, JSlider slider) {
         if (!held) {
             held = true;
+            told = null;
             session().grab();
         }
         double value = value(control, slider.getValue());
@@ -144,6 +149,10 @@ final class ControlsSection extends Panel {
                 now.put(input.key(), input.value());
             }
         }
+        if (now.equals(told)) {
+            return;
+        }
+        told = now;
         showing = true;
         for (Simulation.Control control : shown) {
             double value = now.getOrDefault(control.key(), control.value());

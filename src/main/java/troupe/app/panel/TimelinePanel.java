@@ -149,8 +149,14 @@ public final class TimelinePanel extends Panel {
     }
 
     private static String time(double seconds) {
+        // by hand: it is told with every frame, and a format takes as long as painting much of the window
         int minutes = (int) (seconds / 60);
-        return String.format(Locale.ROOT, "%02d:%05.2f", minutes, Math.floor((seconds - 60.0 * minutes) * 100) / 100);
+        int hundredths = (int) Math.floor((seconds - 60.0 * minutes) * 100);
+        return twoDigits(minutes) + ":" + twoDigits(hundredths / 100) + "." + twoDigits(hundredths % 100);
+    }
+
+    private static String twoDigits(int number) {
+        return number < 10 ? "0" + number : String.valueOf(number);
     }
 
     /** Returns the icon of the command that plays or stops. */

@@ -45,6 +45,8 @@ final class TimelineView extends Drawn {
     private final int side;
     private transient Optional<Chronicle> chronicle = Optional.empty();
     private int curve;
+    private double length;
+    private double head;
 
     TimelineView(Look look, Session session, Consumer<Runnable> observing) {
         this.look = look;
@@ -57,7 +59,7 @@ final class TimelineView extends Drawn {
         setFocusable(true);
         setCursor(Cursor.getPredefinedCursor(Cursor.HAND_CURSOR));
         getAccessibleContext().setAccessibleName(look.text("timeline.name"));
-        observing.accept(session.playback().listeners().add(p -> repaint()));
+        observing.accept(session.playback().listeners().add(this::follow));
         Chronicles chronicles = new Chronicles(EventQueue::invokeLater, this::take);
         observing.accept(chronicles::close);
         observing.accept(session.plans().add(plan -> follow(plan, chronicles)));
@@ -95,6 +97,22 @@ final class TimelineView extends Drawn {
                 .ifPresentOrElse(
                         run -> chronicles.request(run, plan.live().stepMillis()), () -> take(Optional.empty()));
         repaint();
+    }
+
+    /** Paints the head anew where only the time has changed, which is all the time while a run is played. */
+    private void follow(Playback playback) {
+        if (playback.duration() != length) {
+            length = playback.duration();
+            repaint();
+        } else {
+            repaintHead(head);
+            repaintHead(xAt(playback.time()));
+        }
+    }
+
+    private void repaintHead(double x) {
+        int reach = look.px(8);
+        repaint((int) x - reach, 0, 2 * reach + 1, getHeight());
     }
 
     private void take(Optional<Chronicle> made) {
@@ -240,6 +258,7 @@ final class TimelineView extends Drawn {
 
     private void paintHead(Graphics2D g) {
         double x = xAt(session.playback().time());
+        head = x;
         double knob = look.px(8);
         double ring = look.px(12);
         g.setColor(look.color(Tone.TEXT));

@@ -12,12 +12,22 @@ import troupe.search.Outcome;
  * Works a simulation on a background thread while its run is shown, and lets a person take part. Left alone it
  * runs ahead as far as there is. What the person does takes effect at the step that is shown: what was simulated
  * after it is dropped, the values given before it stay, and a fresh engine is brought to that step, which makes
- * the same frames again. Used by one thread at a time, but for {@link #steering()}.
+ * the same frames again. The farther it is ahead of what is shown, the less often it tells, and the more it leaves a
+ * small machine to the painting. Used by one thread at a time, but for {@link #steering()}.
  */
 final class Simulating {
     private static final long SLICE_NANOS = TimeUnit.MILLISECONDS.toNanos(10);
     private static final long PUBLISH_NANOS = TimeUnit.MILLISECONDS.toNanos(40);
     private static final long WAIT_MS = 20;
+    /** So many steps ahead of what is shown, what comes is told less often. */
+    private static final long FAR_STEPS = 100;
+
+    private static final long FAR_PUBLISH_NANOS = TimeUnit.MILLISECONDS.toNanos(200);
+    /** With so few processors, a simulation far ahead of what is played leaves room for the painting. */
+    private static final boolean NARROW = Runtime.getRuntime().availableProcessors() <= 2;
+
+    private static final long SHORT_SLICE_NANOS = TimeUnit.MILLISECONDS.toNanos(4);
+    private static final long REST_MS = 8;
 
     private final Supplier<Simulation> fresh;
     private final Steering steering = new Steering();
@@ -85,12 +95,14 @@ final class Simulating {
             }
             news |= obey(watcher);
             boolean on = engine.outcome().isRunning() && engine.progress().work() < steering.limit();
+            boolean far = steering.isFarAhead(engine.progress().work(), FAR_STEPS);
+            boolean yields = NARROW && far && steering.isPlayed();
             if (on) {
-                advance();
+                advance(yields ? SHORT_SLICE_NANOS : SLICE_NANOS);
                 news = true;
             }
             boolean pausing = !on || !engine.outcome().isRunning();
-            if (news && (pausing || System.nanoTime() - told >= PUBLISH_NANOS)) {
+            if (news && (pausing || System.nanoTime() - told >= (far ? FAR_PUBLISH_NANOS : PUBLISH_NANOS))) {
                 told = System.nanoTime();
                 news = false;
                 watcher.publish(engine.run(), live());
@@ -106,6 +118,8 @@ final class Simulating {
             if (!on) {
                 long reach = engine.outcome().isRunning() ? engine.progress().work() : Steering.NONE;
                 steering.await(reach, WAIT_MS);
+            } else if (yields) {
+                steering.rest(REST_MS);
             }
         }
         engine.cancel();
@@ -113,13 +127,13 @@ final class Simulating {
     }
 
     /** Steps for a moment, one step at least, never past the limit. */
-    private void advance() {
+    private void advance(long nanos) {
         long begin = System.nanoTime();
         do {
             step();
         } while (engine.outcome().isRunning()
                 && engine.progress().work() < steering.limit()
-                && System.nanoTime() - begin < SLICE_NANOS);
+                && System.nanoTime() - begin < nanos);
     }
 
     /** Does what was asked for; tells whether the run has become another. */

@@ -2,6 +2,7 @@ package troupe.app.plan;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.concurrent.TimeUnit;
 
 /**
  * Holds what a person wants of a simulation: a step to go back to, values to set, and how far it may run ahead
@@ -15,9 +16,13 @@ final class Steering {
     /** Steps that a simulation may be ahead of what is shown while something is held. */
     static final long LEAD = 3;
 
+    private static final long MOVING_NANOS = TimeUnit.MILLISECONDS.toNanos(150);
+
     private final Map<String, Double> wanted = new LinkedHashMap<>();
     private long back = NONE;
     private long limit = NONE;
+    private long shown;
+    private long movedAt = System.nanoTime() - MOVING_NANOS;
 
     /** What was asked for since the last time: the step to go back to, or {@link #NONE}, and the values to set then. */
     record Orders(long back, Map<String, Double> values) {}
@@ -35,11 +40,32 @@ final class Steering {
         notifyAll();
     }
 
-    /** Lets the simulation follow what is shown while something is held; does nothing otherwise. */
+    /** Takes the step that is shown, which the simulation follows while something is held. */
     synchronized void pace(long step) {
+        if (step != shown) {
+            shown = step;
+            movedAt = System.nanoTime();
+        }
         if (limit != NONE) {
             limit = Math.max(limit, step + LEAD);
             notifyAll();
+        }
+    }
+
+    /** Tells whether a simulation at {@code step} is more than {@code steps} ahead of what is shown. */
+    synchronized boolean isFarAhead(long step, long steps) {
+        return limit == NONE && step - shown > steps;
+    }
+
+    /** Tells whether what is shown has moved on just now. */
+    synchronized boolean isPlayed() {
+        return System.nanoTime() - movedAt < MOVING_NANOS;
+    }
+
+    /** Waits until something is asked for, {@code millis} at most. */
+    synchronized void rest(long millis) throws InterruptedException {
+        if (isIdle()) {
+            wait(millis);
         }
     }
 

@@ -7,6 +7,8 @@ import java.util.Set;
 import java.util.concurrent.Executor;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 import troupe.paint.SolidPainter;
 import troupe.paint.Theme;
@@ -14,8 +16,16 @@ import troupe.paint.solid.Camera;
 import troupe.run.Run;
 import troupe.scene.Scene;
 
-/** Makes pictures in three dimensions on a background thread; of several wishes only the newest is met. */
+/**
+ * Makes pictures in three dimensions on a background thread; of several wishes only the newest is met. While only what
+ * is shown moves, it rests between the pictures, so that large crowds are left to what simulates and paints them.
+ */
 final class SolidPictures implements AutoCloseable {
+    /** How many times as long as a picture took the rest after it is. */
+    private static final int REST = 3;
+
+    private static final long LEAST_NANOS = TimeUnit.MILLISECONDS.toNanos(8);
+    private static final long MOST_REST_NANOS = TimeUnit.MILLISECONDS.toNanos(200);
 
     /** Everything that a picture depends on. */
     record Wish(
@@ -56,8 +66,17 @@ final class SolidPictures implements AutoCloseable {
         newest = wish;
         worker.execute(() -> {
             if (newest == wish) {
+                boolean moves = painted != null
+                        && painted.camera().equals(wish.camera())
+                        && painted.scene() == wish.scene()
+                        && painted.time() != wish.time();
+                long begin = System.nanoTime();
                 BufferedImage image = make(wish);
                 eventThread.execute(() -> taker.accept(new Made(wish, image)));
+                long took = System.nanoTime() - begin;
+                if (moves && took > LEAST_NANOS) {
+                    LockSupport.parkNanos(Math.min(REST * took, MOST_REST_NANOS));
+                }
             }
         });
     }

@@ -54,7 +54,7 @@ class LayerStackTest {
         paint(stack, 1, "");
         assertEquals(1, stack.paintedLayers());
         paint(stack, 1, "");
-        assertEquals(1, stack.paintedLayers());
+        assertEquals(0, stack.paintedLayers());
         stamps[2]++;
         paint(stack, 1, "");
         stamps[2]++;
