@@ -15,8 +15,12 @@ module troupe {
     exports troupe.grid.field;
     exports troupe.grid.layer;
     exports troupe.grid.region;
+    exports troupe.grid.region.crossing;
+    exports troupe.grid.region.ground;
     exports troupe.run;
     exports troupe.run.file;
+    exports troupe.run.frame;
+    exports troupe.run.view;
     exports troupe.risk;
     exports troupe.risk.forecast;
     exports troupe.risk.plan;
@@ -28,9 +32,22 @@ module troupe {
     exports troupe.crowd.flock;
     exports troupe.crowd.ground;
     exports troupe.paint;
+    exports troupe.paint.field;
+    exports troupe.paint.motion;
+    exports troupe.paint.picture;
+    exports troupe.paint.scene;
     exports troupe.paint.solid;
     exports troupe.exchange;
+    exports troupe.exchange.format;
+    exports troupe.exchange.picture;
+    exports troupe.exchange.scenario;
+    exports troupe.exchange.script;
+    exports troupe.exchange.track;
     exports troupe.work;
+    exports troupe.work.batch;
+    exports troupe.work.explain;
+    exports troupe.work.inspect;
+    exports troupe.work.view;
 
     uses troupe.work.Window;
 

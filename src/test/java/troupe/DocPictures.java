@@ -10,19 +10,19 @@ import java.util.Set;
 import java.util.TreeSet;
 import org.junit.jupiter.api.Test;
 import troupe.app.StudioPictures;
-import troupe.exchange.ExportSettings;
 import troupe.exchange.Formats;
-import troupe.exchange.ImageExport;
-import troupe.paint.Picture;
+import troupe.exchange.format.ExportSettings;
+import troupe.exchange.picture.ImageExport;
 import troupe.paint.Theme;
+import troupe.paint.picture.Picture;
 import troupe.paint.solid.Camera;
-import troupe.run.Overlay;
 import troupe.run.Run;
+import troupe.run.view.Overlay;
 import troupe.scene.Scene;
 import troupe.scene.xml.SceneException;
 import troupe.scene.xml.SceneXml;
-import troupe.work.Fields;
 import troupe.work.Tasks;
+import troupe.work.view.Fields;
 
 /**
  * Makes the pictures of the documentation anew: {@code mvn test -Dtest=DocPictures}, those of the window only

@@ -27,7 +27,7 @@ import troupe.app.session.Session;
 import troupe.geometry.Pose;
 import troupe.grid.region.Groundworks;
 import troupe.run.Engine;
-import troupe.run.Overlay;
+import troupe.run.view.Overlay;
 import troupe.scene.Obstacle;
 import troupe.scene.Scene;
 import troupe.scene.check.Problem;

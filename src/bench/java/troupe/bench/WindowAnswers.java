@@ -28,7 +28,7 @@ import troupe.app.look.Texts;
 import troupe.app.plan.Plan;
 import troupe.app.session.Session;
 import troupe.app.tool.Editing;
-import troupe.app.tool.SelectTool;
+import troupe.app.tool.select.SelectTool;
 import troupe.grid.region.Groundworks;
 import troupe.paint.Theme;
 import troupe.paint.Viewport;

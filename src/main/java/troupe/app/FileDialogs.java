@@ -11,7 +11,7 @@ import javax.swing.filechooser.FileNameExtensionFilter;
 import troupe.app.document.Listeners;
 import troupe.app.document.SceneDocument;
 import troupe.app.look.Look;
-import troupe.app.look.Question;
+import troupe.app.look.widget.Question;
 import troupe.app.session.Session;
 
 /** Asks which file to open or to save to, and what to do with what is not saved. */

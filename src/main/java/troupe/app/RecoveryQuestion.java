@@ -14,7 +14,7 @@ import javax.swing.ImageIcon;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import troupe.app.look.Look;
-import troupe.app.look.Question;
+import troupe.app.look.widget.Question;
 import troupe.app.recovery.Recovery;
 import troupe.paint.Tone;
 

@@ -23,8 +23,8 @@ import troupe.app.settings.Opening;
 import troupe.app.settings.StudioSettings;
 import troupe.grid.region.Groundworks;
 import troupe.run.Engine;
-import troupe.run.GridOverlays;
-import troupe.run.Overlay;
+import troupe.run.view.GridOverlays;
+import troupe.run.view.Overlay;
 import troupe.scene.Journey;
 import troupe.scene.Scene;
 import troupe.scene.check.Problem;
@@ -32,9 +32,9 @@ import troupe.scene.check.SceneChecks;
 import troupe.scene.xml.SceneException;
 import troupe.scene.xml.SceneSource;
 import troupe.scene.xml.SceneXml;
-import troupe.work.Fields;
-import troupe.work.SceneInspection;
 import troupe.work.Tasks;
+import troupe.work.inspect.SceneInspection;
+import troupe.work.view.Fields;
 
 /** Opens the studio. */
 public final class Studio {

@@ -21,19 +21,19 @@ import troupe.app.play.Playback;
 import troupe.app.session.OverlayChoice;
 import troupe.app.session.Session;
 import troupe.app.solid.SolidMode;
-import troupe.app.tool.DrawAvatarTool;
-import troupe.app.tool.DrawBoxTool;
-import troupe.app.tool.DrawGroupTool;
-import troupe.app.tool.DrawJourneyTool;
-import troupe.app.tool.DrawPolygonTool;
 import troupe.app.tool.Editing;
 import troupe.app.tool.Hits;
 import troupe.app.tool.MeasureTool;
 import troupe.app.tool.PanTool;
-import troupe.app.tool.PlaceTool;
-import troupe.app.tool.SelectTool;
 import troupe.app.tool.Tool;
-import troupe.exchange.ExportSettings;
+import troupe.app.tool.draw.DrawAvatarTool;
+import troupe.app.tool.draw.DrawBoxTool;
+import troupe.app.tool.draw.DrawGroupTool;
+import troupe.app.tool.draw.DrawJourneyTool;
+import troupe.app.tool.draw.DrawPolygonTool;
+import troupe.app.tool.draw.PlaceTool;
+import troupe.app.tool.select.SelectTool;
+import troupe.exchange.format.ExportSettings;
 import troupe.paint.Theme;
 
 /** Makes the one list of everything a person can do in a window, and the tools among it. */

@@ -11,7 +11,7 @@ import troupe.cli.terminal.Command;
 import troupe.cli.terminal.ExitCode;
 import troupe.cli.terminal.Terminal;
 import troupe.cli.terminal.UsageException;
-import troupe.exchange.ExchangeException;
+import troupe.exchange.format.ExchangeException;
 import troupe.run.file.RunException;
 import troupe.run.file.RunFile;
 import troupe.scene.xml.SceneException;

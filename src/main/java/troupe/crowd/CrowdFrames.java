@@ -4,9 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 import troupe.crowd.flock.Agents;
 import troupe.crowd.flock.Kin;
-import troupe.run.Channel;
-import troupe.run.FrameRecorder;
-import troupe.run.Frames;
+import troupe.run.frame.Channel;
+import troupe.run.frame.FrameRecorder;
+import troupe.run.frame.Frames;
 import troupe.scene.Crowd;
 
 /**

@@ -5,8 +5,20 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import troupe.exchange.format.ExchangeException;
+import troupe.exchange.format.Exporter;
+import troupe.exchange.format.Importer;
+import troupe.exchange.picture.GifExport;
+import troupe.exchange.picture.ImageExport;
+import troupe.exchange.picture.ImagesExport;
+import troupe.exchange.picture.SvgExport;
+import troupe.exchange.scenario.MovingAiMap;
+import troupe.exchange.scenario.NamosimImport;
 import troupe.exchange.script.BlenderScript;
 import troupe.exchange.script.MelScript;
+import troupe.exchange.script.ScriptExport;
+import troupe.exchange.track.CsvExport;
+import troupe.exchange.track.PedPyExport;
 import troupe.scene.Scene;
 
 /** Lists the formats that runs are written to and scenes are read from; one line registers a format. */

@@ -1,8 +1,7 @@
 /**
- * Holds importers and exporters: what comes from other programs and what goes to them.
+ * Names every format: what can be read from other programs and what can be written for them. One line here for
+ * each; the formats themselves lie below.
  *
- * <p>Guarantees: bad input gives one declared exception with place and cure; output is written whole or not
- * at all, the same in any locale. May use {@code paint}, {@code run}, {@code grid}, {@code scene},
- * {@code geometry} and {@code java.awt}.
+ * <p>May use what lies below it.
  */
 package troupe.exchange;

@@ -10,7 +10,7 @@ import troupe.geometry.Polygon;
  * Turns polygons and lines in metres into paths in pixels, cut to the surroundings of what is seen: the
  * time to stroke a path, above all in dashes, grows with its length, and a scene may hold any numbers.
  */
-final class Clipping {
+public final class Clipping {
     private static final double AROUND = 4_000;
     private static final double WITHOUT_CLIP = 20_000;
     private static final double FAR = 1e9;
@@ -19,7 +19,7 @@ final class Clipping {
     private final Rectangle2D room;
 
     /** Makes a clipping to 4,000 pixels around the clip of the graphics. */
-    Clipping(Graphics2D g, Viewport view) {
+    public Clipping(Graphics2D g, Viewport view) {
         Rectangle clip = g.getClipBounds();
         this.view = view;
         this.room = clip == null
@@ -29,7 +29,7 @@ final class Clipping {
     }
 
     /** Returns a filled polygon as a closed path, even-odd; empty if nothing of it is left. */
-    Path2D polygon(Polygon polygon) {
+    public Path2D polygon(Polygon polygon) {
         int n = polygon.size();
         double[] xs = new double[n];
         double[] ys = new double[n];
@@ -97,7 +97,7 @@ final class Clipping {
     }
 
     /** Returns the open path through {@code values[k * stride], values[k * stride + 1]}, cut where it leaves the room. */
-    Path2D line(double[] values, int stride) {
+    public Path2D line(double[] values, int stride) {
         Path2D path = new Path2D.Double();
         boolean drawing = false;
         for (int k = stride; k + stride <= values.length; k += stride) {

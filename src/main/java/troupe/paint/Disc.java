@@ -14,10 +14,10 @@ import java.awt.geom.Path2D;
  * @param radius in pixels
  * @param headingRad where it faces, counterclockwise from east
  */
-record Disc(double x, double y, double radius, double headingRad) {
+public record Disc(double x, double y, double radius, double headingRad) {
 
     /** Paints the disc. */
-    void paint(Graphics2D g, Color colour) {
+    public void paint(Graphics2D g, Color colour) {
         g.setColor(colour);
         g.fill(round());
         Path2D arrow = new Path2D.Double();
@@ -33,7 +33,7 @@ record Disc(double x, double y, double radius, double headingRad) {
     }
 
     /** Paints the disc with an edge that keeps it apart from what lies below. */
-    void paint(Graphics2D g, Color colour, Color edge) {
+    public void paint(Graphics2D g, Color colour, Color edge) {
         paint(g, colour);
         g.setColor(edge);
         g.setStroke(Theme.line(2));

@@ -35,7 +35,7 @@ public final class Labels {
     }
 
     /** Returns the rectangle of a text centred at a pixel. */
-    static Rectangle2D around(Graphics2D g, Font font, String text, double x, double y) {
+    public static Rectangle2D around(Graphics2D g, Font font, String text, double x, double y) {
         FontMetrics metrics = g.getFontMetrics(font);
         double width = metrics.getStringBounds(text, g).getWidth();
         double height = metrics.getAscent() + metrics.getDescent();
@@ -43,7 +43,7 @@ public final class Labels {
     }
 
     /** Draws a text into the rectangle that {@link #around} gave, and takes it. */
-    void draw(Graphics2D g, Font font, String text, Rectangle2D place, Color colour) {
+    public void draw(Graphics2D g, Font font, String text, Rectangle2D place, Color colour) {
         g.setFont(font);
         g.setColor(colour);
         float base = (float) (place.getY() + g.getFontMetrics(font).getAscent());

@@ -9,7 +9,7 @@ import java.util.function.Function;
 import troupe.scene.Ability;
 
 /** Writes the words of abilities into pills beside a path, clear of the path and of other text. */
-final class Pills {
+public final class Pills {
     private static final double HEIGHT = 19;
     private static final double PADDING = 9;
     private static final double[] DISTANCES = {14, 24, 38, 54};
@@ -23,7 +23,7 @@ final class Pills {
     private final Font font = Theme.font(12);
 
     /** Makes pills that keep off {@code path}, points in pixels, and say {@code words}. */
-    Pills(Graphics2D g, Theme theme, Labels labels, List<double[]> path, Function<Ability, String> words) {
+    public Pills(Graphics2D g, Theme theme, Labels labels, List<double[]> path, Function<Ability, String> words) {
         this.g = g;
         this.theme = theme;
         this.labels = labels;
@@ -32,7 +32,7 @@ final class Pills {
     }
 
     /** Paints the pill of a stretch at its middle, or nothing if there is no room near it. */
-    void paint(Ability ability, List<double[]> stretch) {
+    public void paint(Ability ability, List<double[]> stretch) {
         if (stretch.isEmpty()) {
             return;
         }

@@ -17,7 +17,7 @@ public final class ScaleBar {
     private ScaleBar() {}
 
     /** Returns the least of 1, 2, 5 times a power of ten that is at least {@code least}, which is above 0. */
-    static double nice(double least) {
+    public static double nice(double least) {
         double power = 1;
         while (power > least) {
             power /= 10;

@@ -13,13 +13,13 @@ import java.util.Locale;
 import troupe.geometry.Polygon;
 
 /** Makes the shapes, numbers and colours that the painters share. */
-final class Shapes {
+public final class Shapes {
     private static final double HATCH_ANGLE = Math.toRadians(-20);
 
     private Shapes() {}
 
     /** Returns a copy of the graphics that draws smooth lines and text; the caller disposes of it. */
-    static Graphics2D smooth(Graphics2D g) {
+    public static Graphics2D smooth(Graphics2D g) {
         Graphics2D copy = (Graphics2D) g.create();
         copy.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         copy.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
@@ -30,7 +30,7 @@ final class Shapes {
     }
 
     /** Returns the direction in radians of the grain of a wooden outline: it turns with the first edge. */
-    static double grain(Polygon outline) {
+    public static double grain(Polygon outline) {
         int next = 1 % outline.size();
         return HATCH_ANGLE + StrictMath.atan2(outline.y(next) - outline.y(0), outline.x(next) - outline.x(0));
     }
@@ -40,7 +40,7 @@ final class Shapes {
      *
      * @param angle their direction in radians, counter-clockwise as seen
      */
-    static Path2D hatch(Shape shape, double spacing, double angle) {
+    public static Path2D hatch(Shape shape, double spacing, double angle) {
         Rectangle2D box = shape.getBounds2D();
         AffineTransform turn = AffineTransform.getRotateInstance(angle, box.getCenterX(), box.getCenterY());
         Path2D turned = new Path2D.Double(shape, turn);
@@ -91,14 +91,14 @@ final class Shapes {
     }
 
     /** Returns a length in metres with at most two decimals and a true minus sign. */
-    static String metres(double value) {
+    public static String metres(double value) {
         String text = String.format(Locale.ROOT, "%.2f", Math.abs(value));
         String shorter = text.endsWith("0") ? text.substring(0, text.length() - 1) : text;
         return (value < 0 ? "−" : "") + shorter;
     }
 
     /** Returns the colour {@code share} of the way from one to another, opaque. */
-    static Color blend(Color from, Color to, double share) {
+    public static Color blend(Color from, Color to, double share) {
         return new Color(
                 part(from.getRed(), to.getRed(), share),
                 part(from.getGreen(), to.getGreen(), share),
@@ -110,17 +110,17 @@ final class Shapes {
     }
 
     /** Returns how light a colour is, in [0, 255]. */
-    static double lightness(Color colour) {
+    public static double lightness(Color colour) {
         return 0.299 * colour.getRed() + 0.587 * colour.getGreen() + 0.114 * colour.getBlue();
     }
 
     /** Returns black or white, whichever reads better on the colour. */
-    static Color ink(Color fill) {
+    public static Color ink(Color fill) {
         return lightness(fill) > 140 ? Tone.TEXT.light() : Color.WHITE;
     }
 
     /** Reads {@code #rrggbb}; anything else gives the other colour. */
-    static Color colour(String text, Color other) {
+    public static Color colour(String text, Color other) {
         return text.matches("#[0-9a-fA-F]{6}") ? new Color(Integer.parseInt(text.substring(1), 16)) : other;
     }
 }

@@ -1,8 +1,8 @@
 package troupe.risk;
 
 import java.util.Arrays;
-import troupe.run.Frames;
 import troupe.run.Report;
+import troupe.run.frame.Frames;
 import troupe.scene.Encounter;
 
 /** Gathers what a report of an encounter tells. */

@@ -7,6 +7,9 @@ import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 import java.util.List;
+import troupe.run.frame.Channel;
+import troupe.run.frame.FrameLayout;
+import troupe.run.frame.Frames;
 
 /**
  * Takes the fingerprint of frames: SHA-256 over the channels (name, unit, type, owner, width), the rate, the

@@ -2,6 +2,8 @@ package troupe.run;
 
 import java.util.List;
 import java.util.function.Predicate;
+import troupe.run.view.Aspect;
+import troupe.run.view.Overlay;
 import troupe.search.Outcome;
 
 /**

@@ -1,6 +1,7 @@
 package troupe.run;
 
 import java.util.List;
+import troupe.run.frame.Frames;
 import troupe.scene.Scene;
 import troupe.search.Outcome;
 

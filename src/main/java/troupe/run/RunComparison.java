@@ -5,6 +5,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import troupe.run.frame.Channel;
+import troupe.run.frame.Frames;
 
 /** Compares two runs bit by bit and names the first difference. */
 public final class RunComparison {

@@ -6,7 +6,7 @@ import java.util.List;
 import troupe.grid.GridFrame;
 import troupe.grid.layer.Layers;
 import troupe.grid.region.Region;
-import troupe.run.Overlay;
+import troupe.run.view.Overlay;
 import troupe.unified.search.JourneySearch;
 import troupe.unified.search.SearchSpace;
 

@@ -1,6 +1,5 @@
 /**
- * Holds the registry that starts any task, batches, golden runs, and the checks of a scene that need the
- * grid.
+ * Holds the registry that starts any task, and the golden runs.
  *
  * <p>Guarantees: every front starts a task the same way; results do not depend on the number of threads.
  * May use everything but the fronts.

@@ -7,17 +7,7 @@ import java.util.concurrent.locks.LockSupport;
 
 /** Looks at the stack of the event thread every few milliseconds for code that has no business there. */
 final class EventThreadWatch implements AutoCloseable {
-    private static final Set<String> PACKAGES = Set.of(
-            "troupe.grid",
-            "troupe.unified",
-            "troupe.search",
-            "troupe.work",
-            "troupe.risk",
-            "troupe.risk.forecast",
-            "troupe.risk.plan",
-            "troupe.crowd",
-            "troupe.crowd.flock",
-            "troupe.crowd.ground");
+    private static final Set<String> PACKAGES = Set.of("grid", "unified", "search", "work", "risk", "crowd");
     private static final Set<String> CLASSES = Set.of(
             "troupe.scene.xml.SceneXml",
             "troupe.scene.xml.SceneReader",
@@ -26,10 +16,10 @@ final class EventThreadWatch implements AutoCloseable {
     private static final Set<String> HARMLESS = Set.of(
             "troupe.grid.GridFrame",
             "troupe.search.Outcome",
-            "troupe.work.Blockage",
-            "troupe.work.Explanation",
-            "troupe.work.Flip",
-            "troupe.work.Route");
+            "troupe.work.inspect.Blockage",
+            "troupe.work.explain.Explanation",
+            "troupe.work.explain.Flip",
+            "troupe.work.explain.Route");
 
     private final Thread watched = OnEventThread.get(Thread::currentThread);
     private final Thread watch = new Thread(this::look, "watch");
@@ -54,8 +44,9 @@ final class EventThreadWatch implements AutoCloseable {
 
     private static boolean isForeign(String name) {
         String outer = name.contains("$") ? name.substring(0, name.indexOf('$')) : name;
-        String in = outer.substring(0, Math.max(0, outer.lastIndexOf('.')));
-        return !HARMLESS.contains(outer) && (CLASSES.contains(outer) || PACKAGES.contains(in));
+        String[] words = outer.split("\\.");
+        boolean below = words.length > 2 && words[0].equals("troupe") && PACKAGES.contains(words[1]);
+        return !HARMLESS.contains(outer) && (CLASSES.contains(outer) || below);
     }
 
     /** Returns the first frame that was seen and should not have been. */

@@ -12,8 +12,8 @@ import javax.swing.JLabel;
 import javax.swing.JList;
 import javax.swing.JTextField;
 import org.junit.jupiter.api.Test;
-import troupe.exchange.Exporter;
 import troupe.exchange.Formats;
+import troupe.exchange.format.Exporter;
 
 /** Exports the run from the window. */
 class ExportRobotTest extends RobotTest {

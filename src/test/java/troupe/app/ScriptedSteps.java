@@ -6,8 +6,8 @@ import java.util.function.Predicate;
 import troupe.app.plan.PlanningSteps;
 import troupe.app.plan.ScriptedEngine;
 import troupe.run.Engine;
-import troupe.run.Overlay;
 import troupe.run.Run;
+import troupe.run.view.Overlay;
 import troupe.scene.Scene;
 import troupe.scene.check.Problem;
 

@@ -33,7 +33,7 @@ import troupe.app.session.Session;
 import troupe.app.settings.StudioSettings;
 import troupe.paint.Viewport;
 import troupe.run.Engine;
-import troupe.run.Overlay;
+import troupe.run.view.Overlay;
 import troupe.scene.Scene;
 import troupe.scene.check.Problem;
 import troupe.scene.xml.SceneException;

@@ -24,8 +24,8 @@ import org.junit.jupiter.api.io.TempDir;
 import troupe.cli.Session.Result;
 import troupe.cli.terminal.Command;
 import troupe.cli.terminal.Option;
-import troupe.exchange.ExportSettings;
 import troupe.exchange.Formats;
+import troupe.exchange.format.ExportSettings;
 import troupe.run.Run;
 import troupe.run.file.RunFile;
 

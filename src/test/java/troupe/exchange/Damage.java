@@ -4,11 +4,11 @@ import java.util.Arrays;
 import java.util.Random;
 
 /** Damages valid files: flips, overwrites, cuts out, doubles and swaps bytes. */
-final class Damage {
+public final class Damage {
     private Damage() {}
 
     /** Returns a copy with one to four damages. */
-    static byte[] done(byte[] whole, Random random) {
+    public static byte[] done(byte[] whole, Random random) {
         byte[] bytes = whole;
         for (int n = 1 + random.nextInt(4); n > 0; n--) {
             bytes = once(bytes, random);

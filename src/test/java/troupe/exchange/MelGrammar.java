@@ -15,7 +15,7 @@ import java.util.regex.Pattern;
  * variables declared before they are used, procedures called with as many arguments as they take, and commands with
  * flags that they know.
  */
-final class MelGrammar {
+public final class MelGrammar {
     private static final Pattern TOKEN = Pattern.compile("\\s+|//[^\\n]*|\"(?:[^\"\\\\\\n]|\\\\.)*\"|-[a-zA-Z]\\w*"
             + "|-?\\d+(?:\\.\\d+)?|\\$\\w+|[A-Za-z]\\w*|==|[-+*/=;,(){}\\[\\]`]");
     private static final Map<String, Set<String>> COMMANDS = new TreeMap<>(Map.ofEntries(
@@ -45,7 +45,7 @@ final class MelGrammar {
     private MelGrammar() {}
 
     /** Returns how often each procedure is called; fails at the first mistake. */
-    static Map<String, Integer> check(String text) {
+    public static Map<String, Integer> check(String text) {
         return new MelGrammar().calls(text);
     }
 

@@ -11,6 +11,8 @@ import java.util.List;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import troupe.SharedData;
+import troupe.exchange.scenario.MovingAiMap;
+import troupe.exchange.scenario.MovingAiProblems;
 import troupe.geometry.Box;
 import troupe.scene.Obstacle;
 import troupe.scene.Scene;

@@ -14,6 +14,7 @@ import java.util.regex.Pattern;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import troupe.SharedData;
+import troupe.exchange.scenario.NamosimImport;
 import troupe.geometry.Box;
 import troupe.geometry.Point;
 import troupe.scene.Actor;

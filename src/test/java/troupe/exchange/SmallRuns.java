@@ -3,11 +3,11 @@ package troupe.exchange;
 import java.util.List;
 import java.util.OptionalDouble;
 import troupe.geometry.Polygon;
-import troupe.run.Channel;
-import troupe.run.Channel.Type;
-import troupe.run.FrameRecorder;
 import troupe.run.Report;
 import troupe.run.Run;
+import troupe.run.frame.Channel;
+import troupe.run.frame.Channel.Type;
+import troupe.run.frame.FrameRecorder;
 import troupe.scene.Actor;
 import troupe.scene.Avatar;
 import troupe.scene.Crowd;
@@ -21,17 +21,17 @@ import troupe.scene.World;
 import troupe.search.Outcome;
 
 /** Makes runs of crowds and encounters by hand. */
-final class SmallRuns {
+public final class SmallRuns {
     private static final Obstacle WALL = new Obstacle("wall", "", Polygon.rectangle(4, 0, 5, 2), 0, 3, false, 20, "");
 
     private SmallRuns() {}
 
     /** Three members who walk along x for 60 frames at 25 frames a second, half a metre apart in y. */
-    static Run crowd() {
+    public static Run crowd() {
         return titled("Three");
     }
 
-    static Run titled(String title) {
+    public static Run titled(String title) {
         CrowdGroup.Members members =
                 new CrowdGroup.Members(3, Polygon.rectangle(0, 0, 1, 3), OptionalDouble.empty(), 0.2, 1.3);
         Crowd crowd = Crowd.of("all-go", List.of(CrowdGroup.of("all", Place.of(9, 1), members)));
@@ -49,7 +49,7 @@ final class SmallRuns {
     }
 
     /** An actor who stands for eight frames, and an avatar who is there from frame 2 to frame 4 and turns. */
-    static Run visitor() {
+    public static Run visitor() {
         Avatar guest = Avatar.of("guest", new Avatar.Pointer(Place.of(1, 1)));
         Encounter encounter = Encounter.of("all", "ann", Place.of(7, 7), Place.of(8, 7), List.of(guest));
         FrameRecorder recorder = new FrameRecorder(

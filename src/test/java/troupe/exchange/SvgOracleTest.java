@@ -25,9 +25,10 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.w3c.dom.Document;
 import org.w3c.dom.Element;
 import org.w3c.dom.Node;
-import troupe.paint.Picture;
+import troupe.exchange.picture.SvgExport;
 import troupe.paint.Sketch;
 import troupe.paint.Theme;
+import troupe.paint.picture.Picture;
 
 /** Draws the SVG export by the rules of SVG, in a small reader of its own, and compares with the picture. */
 class SvgOracleTest {

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import troupe.geometry.Polygon;
+import troupe.paint.picture.Picture;
 import troupe.scene.Actor;
 import troupe.scene.Ditch;
 import troupe.scene.Journey;

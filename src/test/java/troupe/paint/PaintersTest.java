@@ -18,7 +18,14 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import troupe.geometry.Polygon;
-import troupe.run.Overlay;
+import troupe.paint.field.CategoryLook;
+import troupe.paint.field.ColourMap;
+import troupe.paint.field.OverlayPainter;
+import troupe.paint.motion.Track;
+import troupe.paint.picture.Legend;
+import troupe.paint.scene.Cover;
+import troupe.paint.scene.ObstacleLook;
+import troupe.run.view.Overlay;
 import troupe.scene.Ability;
 import troupe.scene.Obstacle;
 

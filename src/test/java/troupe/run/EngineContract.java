@@ -11,6 +11,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
+import troupe.run.view.Aspect;
+import troupe.run.view.Overlay;
 import troupe.search.Outcome;
 
 /** States what every engine keeps to. A planner's test implements it with tasks of its own. */

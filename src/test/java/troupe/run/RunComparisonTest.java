@@ -5,6 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import troupe.run.frame.Channel;
+import troupe.run.frame.FrameRecorder;
+import troupe.run.frame.Frames;
 
 class RunComparisonTest {
     private static final List<Channel> CHANNELS = List.of(

@@ -1,6 +1,9 @@
 package troupe.run;
 
 import java.util.List;
+import troupe.run.frame.Channel;
+import troupe.run.frame.FrameRecorder;
+import troupe.run.frame.Frames;
 import troupe.scene.Actor;
 import troupe.scene.Journey;
 import troupe.scene.Place;

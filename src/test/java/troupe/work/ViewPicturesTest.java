@@ -16,20 +16,22 @@ import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import troupe.geometry.Box;
-import troupe.paint.OverlayPainter;
-import troupe.paint.RunPainter;
-import troupe.paint.ScenePainter;
 import troupe.paint.StoredPictures;
 import troupe.paint.Theme;
 import troupe.paint.Tone;
 import troupe.paint.Viewport;
+import troupe.paint.field.OverlayPainter;
+import troupe.paint.motion.RunPainter;
+import troupe.paint.scene.ScenePainter;
 import troupe.run.Engine;
-import troupe.run.GridOverlays;
-import troupe.run.Overlay;
 import troupe.run.Run;
+import troupe.run.view.GridOverlays;
+import troupe.run.view.Overlay;
 import troupe.scene.Scene;
 import troupe.scene.xml.SceneException;
 import troupe.scene.xml.SceneXml;
+import troupe.work.view.Fields;
+import troupe.work.view.MomentViews;
 
 /**
  * Compares every view that the window lays over a scene, as the planners make it and as the window's painters paint

@@ -4,8 +4,8 @@ import java.awt.Graphics2D;
 import troupe.app.look.Look;
 import troupe.app.session.Comparison;
 import troupe.app.session.Session;
-import troupe.paint.GhostPainter;
 import troupe.paint.Viewport;
+import troupe.paint.motion.GhostPainter;
 
 /** Paints the run that is kept for comparison. Belongs to the event thread. */
 final class Ghost {

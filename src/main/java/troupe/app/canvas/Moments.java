@@ -13,10 +13,10 @@ import troupe.app.look.Look;
 import troupe.app.plan.Plan;
 import troupe.app.session.RunViews;
 import troupe.app.session.Session;
-import troupe.paint.OverlayPainter;
+import troupe.paint.field.OverlayPainter;
 import troupe.run.Run;
 import troupe.scene.Task;
-import troupe.work.MomentViews;
+import troupe.work.view.MomentViews;
 
 /**
  * Makes the views of a simulation at the moment shown on a background thread: playing asks for them with each frame,

@@ -14,13 +14,13 @@ import troupe.app.plan.Views;
 import troupe.app.session.OverlayChoice;
 import troupe.app.session.RunViews;
 import troupe.grid.GridFrame;
-import troupe.paint.Legend;
-import troupe.paint.OverlayPainter;
-import troupe.paint.RunPainter;
-import troupe.run.Overlay;
+import troupe.paint.field.OverlayPainter;
+import troupe.paint.motion.RunPainter;
+import troupe.paint.picture.Legend;
 import troupe.run.Run;
+import troupe.run.view.Overlay;
 import troupe.scene.Task;
-import troupe.work.MomentViews;
+import troupe.work.view.MomentViews;
 
 /**
  * Makes the painters of a plan on a background thread, because tracing the contours of a field takes

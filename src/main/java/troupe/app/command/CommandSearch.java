@@ -20,8 +20,8 @@ import javax.swing.ListCellRenderer;
 import javax.swing.ListSelectionModel;
 import troupe.app.look.Drawn;
 import troupe.app.look.Look;
-import troupe.app.look.ThinScrollBarUI;
 import troupe.app.look.Typed;
+import troupe.app.look.widget.ThinScrollBarUI;
 import troupe.paint.Tone;
 
 /** Finds commands by their words; Enter does the one that is marked, Escape closes. */

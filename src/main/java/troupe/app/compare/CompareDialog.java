@@ -19,7 +19,7 @@ import javax.swing.table.DefaultTableCellRenderer;
 import troupe.app.look.Look;
 import troupe.app.look.Prose;
 import troupe.app.look.Scaling;
-import troupe.app.look.ThinScrollBarUI;
+import troupe.app.look.widget.ThinScrollBarUI;
 import troupe.app.session.Comparison;
 import troupe.app.session.Session;
 import troupe.paint.Tone;

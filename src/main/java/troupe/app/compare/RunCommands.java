@@ -17,7 +17,7 @@ import troupe.app.command.Command;
 import troupe.app.command.Commands;
 import troupe.app.look.Failures;
 import troupe.app.look.Look;
-import troupe.app.look.Question;
+import troupe.app.look.widget.Question;
 import troupe.app.session.Notice;
 import troupe.app.session.Session;
 import troupe.run.Run;

@@ -23,12 +23,12 @@ import javax.swing.JPanel;
 import javax.swing.JProgressBar;
 import javax.swing.JTextField;
 import javax.swing.KeyStroke;
-import troupe.app.look.FlatButton;
 import troupe.app.look.Look;
-import troupe.app.look.Question;
 import troupe.app.look.Scaling;
-import troupe.exchange.ExportSettings;
-import troupe.exchange.Exporter;
+import troupe.app.look.widget.FlatButton;
+import troupe.app.look.widget.Question;
+import troupe.exchange.format.ExportSettings;
+import troupe.exchange.format.Exporter;
 import troupe.paint.Tone;
 import troupe.run.Run;
 

@@ -18,15 +18,15 @@ import javax.swing.JLabel;
 import javax.swing.JList;
 import javax.swing.JPanel;
 import javax.swing.ListSelectionModel;
-import troupe.app.look.FlatButton;
 import troupe.app.look.Look;
-import troupe.app.look.NumberField;
-import troupe.exchange.ExportSettings;
-import troupe.exchange.Exporter;
+import troupe.app.look.widget.FlatButton;
+import troupe.app.look.widget.NumberField;
 import troupe.exchange.Formats;
-import troupe.paint.Picture;
+import troupe.exchange.format.ExportSettings;
+import troupe.exchange.format.Exporter;
 import troupe.paint.Theme;
 import troupe.paint.Tone;
+import troupe.paint.picture.Picture;
 import troupe.paint.solid.Camera;
 
 /** Lets a format be chosen, and what concerns it: instant, width, rate, theme, and from where it is seen. */

@@ -11,9 +11,9 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
 import troupe.app.look.Failures;
-import troupe.exchange.ExchangeException;
-import troupe.exchange.ExportSettings;
-import troupe.exchange.Exporter;
+import troupe.exchange.format.ExchangeException;
+import troupe.exchange.format.ExportSettings;
+import troupe.exchange.format.Exporter;
 import troupe.run.Run;
 
 /** Makes previews and files on a background thread; of several previews only the newest is made. */

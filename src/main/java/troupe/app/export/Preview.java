@@ -14,11 +14,11 @@ import java.util.Set;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import troupe.app.look.Failures;
-import troupe.exchange.ExchangeException;
-import troupe.exchange.ExportSettings;
-import troupe.exchange.Exporter;
 import troupe.exchange.Formats;
-import troupe.exchange.StreamExporter;
+import troupe.exchange.format.ExchangeException;
+import troupe.exchange.format.ExportSettings;
+import troupe.exchange.format.Exporter;
+import troupe.exchange.format.StreamExporter;
 import troupe.run.Run;
 
 /**

@@ -6,8 +6,8 @@ import java.awt.Toolkit;
 import java.awt.datatransfer.StringSelection;
 import javax.swing.JPanel;
 import javax.swing.JTextArea;
-import troupe.app.look.FlatButton;
 import troupe.app.look.Look;
+import troupe.app.look.widget.FlatButton;
 import troupe.paint.Tone;
 import troupe.run.file.RunFile;
 

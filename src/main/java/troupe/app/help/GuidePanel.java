@@ -25,9 +25,9 @@ import javax.swing.text.html.HTMLDocument;
 import javax.swing.text.html.HTMLEditorKit;
 import javax.swing.text.html.StyleSheet;
 import troupe.app.look.Failures;
-import troupe.app.look.FlatButton;
 import troupe.app.look.Look;
-import troupe.app.look.ThinScrollBarUI;
+import troupe.app.look.widget.FlatButton;
+import troupe.app.look.widget.ThinScrollBarUI;
 import troupe.paint.Tone;
 
 /** Shows the user guide: its headings to the left, the page to the right, and a field to search it. */

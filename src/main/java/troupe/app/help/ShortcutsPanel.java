@@ -13,8 +13,8 @@ import javax.swing.ListCellRenderer;
 import troupe.app.command.Commands;
 import troupe.app.look.Drawn;
 import troupe.app.look.Look;
-import troupe.app.look.ThinScrollBarUI;
 import troupe.app.look.Typed;
+import troupe.app.look.widget.ThinScrollBarUI;
 import troupe.paint.Tone;
 
 /** Shows the shortcuts under the headings of their menus, those that hold the words typed above. */

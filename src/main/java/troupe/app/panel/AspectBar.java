@@ -15,16 +15,16 @@ import javax.swing.JPopupMenu;
 import javax.swing.JScrollPane;
 import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
-import troupe.app.look.FlatButton;
 import troupe.app.look.Look;
-import troupe.app.look.ThinScrollBarUI;
+import troupe.app.look.widget.FlatButton;
+import troupe.app.look.widget.ThinScrollBarUI;
 import troupe.app.plan.Plan;
 import troupe.app.plan.Views;
 import troupe.app.session.OverlayChoice;
 import troupe.app.session.RunViews;
 import troupe.app.session.Session;
 import troupe.paint.Tone;
-import troupe.run.Aspect;
+import troupe.run.view.Aspect;
 
 /**
  * Lets a person choose of what the views are, such as the search space or the heading: a button for each

@@ -7,14 +7,14 @@ import java.util.List;
 import java.util.Map;
 import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JPopupMenu;
-import troupe.app.look.FlatButton;
 import troupe.app.look.Look;
+import troupe.app.look.widget.FlatButton;
 import troupe.app.plan.Plan;
 import troupe.app.session.OverlayChoice;
 import troupe.app.session.RunViews;
 import troupe.app.session.Session;
-import troupe.run.Overlay;
-import troupe.work.MomentViews;
+import troupe.run.view.Overlay;
+import troupe.work.view.MomentViews;
 
 /** A chip for each view that can lie over the scene; those that do not fit are behind the last one. */
 public final class ChipBar extends Panel {

@@ -16,7 +16,7 @@ import javax.swing.ListSelectionModel;
 import troupe.app.document.UndoHistory;
 import troupe.app.look.Drawn;
 import troupe.app.look.Look;
-import troupe.app.look.ThinScrollBarUI;
+import troupe.app.look.widget.ThinScrollBarUI;
 import troupe.app.session.Session;
 import troupe.paint.Tone;
 

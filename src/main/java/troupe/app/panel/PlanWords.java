@@ -16,22 +16,22 @@ import troupe.scene.Journey;
 import troupe.scene.check.Problem;
 import troupe.scene.check.Severity;
 import troupe.search.Outcome;
-import troupe.work.Explanation;
-import troupe.work.Flip;
+import troupe.work.explain.Explanation;
+import troupe.work.explain.Flip;
 
 /** Says in words how a task ended, and what would change its plan. */
-final class PlanWords {
+public final class PlanWords {
     private PlanWords() {}
 
     /** Returns a sentence for how a run ended. */
-    static String outcome(Run run, Texts texts) {
+    public static String outcome(Run run, Texts texts) {
         return "limit.spaces".equals(run.report().values().get("limit"))
                 ? texts.get("outcome.exhausted.spaces")
                 : outcome(run.outcome(), texts);
     }
 
     /** Returns a sentence for an outcome. */
-    static String outcome(Outcome outcome, Texts texts) {
+    public static String outcome(Outcome outcome, Texts texts) {
         if (outcome instanceof Outcome.Infeasible infeasible) {
             String reason = texts.tell(infeasible.reason());
             return reason.isEmpty()
@@ -47,7 +47,7 @@ final class PlanWords {
      * Returns how an encounter ended, the outcome first, then how near the actor came to somebody and how often they
      * touched; empty for other tasks, and where nothing was simulated or it was cancelled.
      */
-    static List<String> encounter(Run run, Texts texts) {
+    public static List<String> encounter(Run run, Texts texts) {
         boolean found = run.outcome().isFound();
         boolean ended = found || run.outcome().equals(Outcome.EXHAUSTED);
         if (!ended || !(run.scene().task(run.task()).orElse(null) instanceof Encounter)) {
@@ -70,34 +70,34 @@ final class PlanWords {
     }
 
     /** Returns how many errors keep a scene from being planned. */
-    static long errors(Plan plan) {
+    public static long errors(Plan plan) {
         return plan.problems().stream()
                 .filter(p -> p.severity() == Severity.ERROR)
                 .count();
     }
 
     /** Returns how many errors there are, and the first with its element and its cure. */
-    static String firstError(Plan plan, Texts texts) {
+    public static String firstError(Plan plan, Texts texts) {
         return texts.format(
                 "problem.first", errors(plan), problem(plan.problems().get(0), texts));
     }
 
     /** Returns every error with its element and its cure, an empty line between them. */
-    static String allErrors(Plan plan, Texts texts) {
+    public static String allErrors(Plan plan, Texts texts) {
         StringJoiner lines = new StringJoiner("\n\n");
         plan.problems().stream().filter(p -> p.severity() == Severity.ERROR).forEach(p -> lines.add(problem(p, texts)));
         return lines.toString();
     }
 
     /** Returns what is wrong, with the element and the cure, in one line. */
-    static String problem(Problem problem, Texts texts) {
+    public static String problem(Problem problem, Texts texts) {
         String message = texts.tell(problem.message());
         String told = problem.element().isEmpty() ? message : texts.format("problem.of", problem.element(), message);
         return problem.cure().isEmpty() ? told : texts.format("problem.cure", told, texts.tell(problem.cure()));
     }
 
     /** Returns what a run moves, in order, as a sentence; empty if nothing. */
-    static String moves(Run run, Texts texts) {
+    public static String moves(Run run, Texts texts) {
         StringJoiner moves = new StringJoiner(texts.get("why.then"));
         for (Figures.Move move : Figures.moves(run)) {
             moves.add(
@@ -109,7 +109,7 @@ final class PlanWords {
     }
 
     /** Returns a sentence for each ability that a plan gives up at some preference, a line each; may be none. */
-    static String flips(Explanation explanation, Texts texts) {
+    public static String flips(Explanation explanation, Texts texts) {
         StringJoiner sentences = new StringJoiner("\n");
         for (Flip flip : explanation.flips()) {
             if (flip.isGivenUp() && flip.ability() != Ability.WALK) {

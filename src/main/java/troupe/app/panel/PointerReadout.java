@@ -7,7 +7,7 @@ import troupe.app.look.Texts;
 import troupe.app.plan.Plan;
 import troupe.app.session.OverlayChoice;
 import troupe.geometry.Point;
-import troupe.run.Overlay;
+import troupe.run.view.Overlay;
 
 /** Reads the values of the planner's views at a place. Pure; cost O(views). */
 final class PointerReadout {

@@ -14,7 +14,7 @@ import troupe.app.look.Prose;
 import troupe.paint.Tone;
 
 /** Lays out rows of a dim label and its field, under a heading. */
-final class Rows {
+public final class Rows {
     private static final int LABEL = 96;
     private static final int HEIGHT = 29;
     private final JPanel panel;
@@ -22,7 +22,7 @@ final class Rows {
     private int row;
 
     /** Begins the rows of a panel; what it held is removed. */
-    Rows(JPanel panel, Look look) {
+    public Rows(JPanel panel, Look look) {
         this.panel = panel;
         this.look = look;
         panel.removeAll();
@@ -30,7 +30,7 @@ final class Rows {
     }
 
     /** Adds a heading, in as many lines as it takes. */
-    Rows heading(String text) {
+    public Rows heading(String text) {
         Prose heading = new Prose(look, text);
         heading.setFont(look.bold(13));
         heading.setColumns(8);
@@ -42,7 +42,7 @@ final class Rows {
     }
 
     /** Adds a small heading of a group of rows. */
-    Rows subheading(String text) {
+    public Rows subheading(String text) {
         JLabel label = look.label(text, Tone.DIM);
         label.setFont(look.bold(11.5f));
         add(label, 0, 2, new Insets(8, 0, 2, 0));
@@ -50,7 +50,7 @@ final class Rows {
     }
 
     /** Adds a label with the fields that belong to it. */
-    Rows field(String text, JComponent... fields) {
+    public Rows field(String text, JComponent... fields) {
         JLabel label = look.label(text, Tone.DIM);
         label.setLabelFor(fields[0]);
         fields[0].getAccessibleContext().setAccessibleName(text);
@@ -71,7 +71,7 @@ final class Rows {
     }
 
     /** Adds a part as wide as the panel. */
-    Rows wide(Component part, int below) {
+    public Rows wide(Component part, int below) {
         add(part, 0, 2, new Insets(0, 0, below, 0));
         return this;
     }

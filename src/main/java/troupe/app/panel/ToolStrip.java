@@ -9,9 +9,9 @@ import javax.swing.BorderFactory;
 import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
-import troupe.app.look.FlatButton;
 import troupe.app.look.Icons;
 import troupe.app.look.Look;
+import troupe.app.look.widget.FlatButton;
 import troupe.paint.Tone;
 
 /** Holds the tools, one icon each, below one another; those for which there is no room are behind the last button. */

@@ -13,8 +13,8 @@ import troupe.run.Simulation;
 import troupe.scene.check.Problem;
 import troupe.scene.check.Severity;
 import troupe.search.Outcome;
-import troupe.work.Explainer;
-import troupe.work.Explanation;
+import troupe.work.explain.Explainer;
+import troupe.work.explain.Explanation;
 
 /**
  * Plans the newest snapshot on a background thread. A new request makes the one before it obsolete:

@@ -2,10 +2,10 @@ package troupe.app.plan;
 
 import java.util.List;
 import java.util.Optional;
-import troupe.run.Overlay;
 import troupe.run.Run;
+import troupe.run.view.Overlay;
 import troupe.scene.check.Problem;
-import troupe.work.Explanation;
+import troupe.work.explain.Explanation;
 
 /**
  * Holds what came of planning a snapshot. Immutable.

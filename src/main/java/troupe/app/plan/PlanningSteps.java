@@ -3,7 +3,7 @@ package troupe.app.plan;
 import java.util.List;
 import java.util.function.Predicate;
 import troupe.run.Engine;
-import troupe.run.Overlay;
+import troupe.run.view.Overlay;
 import troupe.scene.Scene;
 import troupe.scene.check.Problem;
 

@@ -9,8 +9,8 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Predicate;
 import troupe.run.Engine;
-import troupe.run.Overlay;
 import troupe.run.Simulation;
+import troupe.run.view.Overlay;
 
 /**
  * Makes the views of plans on a thread of its own, so that no plan waits for those of the one before. An engine is

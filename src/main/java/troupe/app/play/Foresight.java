@@ -7,8 +7,8 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import troupe.run.Run;
-import troupe.run.Strip;
-import troupe.work.MomentViews;
+import troupe.run.view.Strip;
+import troupe.work.view.MomentViews;
 
 /**
  * Works out on a background thread whom the plan of the moment shown may meet; the newest request wins, so that

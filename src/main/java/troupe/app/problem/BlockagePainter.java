@@ -17,7 +17,7 @@ import troupe.paint.Theme;
 import troupe.paint.Tone;
 import troupe.paint.Viewport;
 import troupe.scene.Scene;
-import troupe.work.Blockage;
+import troupe.work.inspect.Blockage;
 
 /** Paints what stands in the way of a journey, with its name, and the way it stands in. Pure. */
 public final class BlockagePainter {

@@ -23,8 +23,8 @@ import troupe.scene.Scene;
 import troupe.scene.check.Problem;
 import troupe.scene.check.Severity;
 import troupe.search.Outcome;
-import troupe.work.Blockage;
-import troupe.work.BlockageSearch;
+import troupe.work.inspect.Blockage;
+import troupe.work.inspect.BlockageSearch;
 
 /**
  * Looks at each new plan in the background: what can be done about its problems, and, where there is no way, what

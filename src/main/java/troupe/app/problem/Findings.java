@@ -3,7 +3,7 @@ package troupe.app.problem;
 import java.util.List;
 import java.util.Optional;
 import troupe.app.plan.Snapshot;
-import troupe.work.Blockage;
+import troupe.work.inspect.Blockage;
 
 /**
  * Holds what is known to be wrong.

@@ -23,7 +23,7 @@ import troupe.scene.Scene;
 import troupe.scene.Task;
 import troupe.scene.check.Problem;
 import troupe.scene.check.Severity;
-import troupe.work.BlockageSearch;
+import troupe.work.inspect.BlockageSearch;
 
 /** Finds simple changes that mend what is wrong with an element, by looking at the element. Pure; any thread. */
 final class Fixes {

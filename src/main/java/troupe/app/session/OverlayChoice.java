@@ -12,7 +12,7 @@ import troupe.app.document.Listeners;
 
 /**
  * Holds which views lie over the scene, which layer is looked at, and of what the views are where the planner
- * offers a choice ({@link troupe.run.Aspect}). Belongs to the event thread.
+ * offers a choice ({@link troupe.run.view.Aspect}). Belongs to the event thread.
  */
 public final class OverlayChoice {
     /** The key of the plan itself, beside those of the planner's views. */

@@ -4,14 +4,14 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import troupe.app.plan.Plan;
-import troupe.paint.CrowdPainter;
-import troupe.run.Ahead;
-import troupe.run.Aspect;
+import troupe.paint.motion.CrowdPainter;
+import troupe.run.view.Ahead;
+import troupe.run.view.Aspect;
 import troupe.scene.Crowd;
 import troupe.scene.Encounter;
 import troupe.scene.Encounter.Quantity;
 import troupe.scene.Task;
-import troupe.work.MomentViews;
+import troupe.work.view.MomentViews;
 
 /** Says which views there are of the run of a simulation at the moment shown, and what there is to choose. Pure. */
 public final class RunViews {

@@ -19,8 +19,8 @@ import troupe.app.plan.PlanningSteps;
 import troupe.app.plan.Snapshot;
 import troupe.app.plan.Work;
 import troupe.app.play.Playback;
-import troupe.run.Frames;
 import troupe.run.Run;
+import troupe.run.frame.Frames;
 import troupe.scene.Scene;
 import troupe.scene.xml.SceneException;
 

@@ -13,10 +13,10 @@ import javax.swing.ButtonGroup;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
-import troupe.app.look.FlatButton;
 import troupe.app.look.Look;
-import troupe.app.look.Switch;
 import troupe.app.look.Texts;
+import troupe.app.look.widget.FlatButton;
+import troupe.app.look.widget.Switch;
 import troupe.paint.Theme;
 import troupe.paint.Tone;
 

@@ -1,7 +1,7 @@
 package troupe.app.solid;
 
-import troupe.paint.SolidPainter;
 import troupe.paint.solid.Camera;
+import troupe.paint.solid.SolidPainter;
 import troupe.scene.Scene;
 
 /**

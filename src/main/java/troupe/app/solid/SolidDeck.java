@@ -9,10 +9,10 @@ import javax.swing.JPanel;
 import javax.swing.JSplitPane;
 import javax.swing.SwingUtilities;
 import troupe.app.canvas.Canvas;
-import troupe.app.look.FlatButton;
 import troupe.app.look.Icons;
 import troupe.app.look.Look;
-import troupe.app.look.ThinDivider;
+import troupe.app.look.widget.FlatButton;
+import troupe.app.look.widget.ThinDivider;
 
 /** Lays out the plan and the view in three dimensions: one in a corner of the other, side by side, or alone. */
 public final class SolidDeck extends JPanel {

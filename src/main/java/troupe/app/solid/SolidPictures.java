@@ -10,9 +10,9 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
-import troupe.paint.SolidPainter;
 import troupe.paint.Theme;
 import troupe.paint.solid.Camera;
+import troupe.paint.solid.SolidPainter;
 import troupe.run.Run;
 import troupe.scene.Scene;
 

@@ -8,10 +8,10 @@ import javax.swing.Box;
 import javax.swing.BoxLayout;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
-import troupe.app.look.FlatButton;
 import troupe.app.look.Look;
-import troupe.app.look.NumberField;
 import troupe.app.look.Texts;
+import troupe.app.look.widget.FlatButton;
+import troupe.app.look.widget.NumberField;
 import troupe.paint.Tone;
 import troupe.scene.Scene;
 

@@ -14,8 +14,8 @@ import java.util.concurrent.Executors;
 import java.util.function.Consumer;
 import troupe.app.document.EventThread;
 import troupe.app.session.SceneFiles;
-import troupe.paint.Picture;
 import troupe.paint.Theme;
+import troupe.paint.picture.Picture;
 import troupe.scene.Scene;
 import troupe.scene.xml.SceneException;
 

@@ -21,9 +21,9 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.KeyStroke;
 import troupe.app.look.Failures;
-import troupe.app.look.FlatButton;
 import troupe.app.look.Look;
-import troupe.app.look.ThinScrollBarUI;
+import troupe.app.look.widget.FlatButton;
+import troupe.app.look.widget.ThinScrollBarUI;
 import troupe.paint.Tone;
 import troupe.scene.Scene;
 

@@ -16,12 +16,12 @@ import troupe.paint.Viewport;
 public record Editing(SceneDocument document, Selection selection, Look look, Supplier<Viewport> view, Runnable drawn) {
 
     /** Returns the texts, for the names of edits. */
-    Texts texts() {
+    public Texts texts() {
         return look.texts();
     }
 
     /** Returns the size of a pixel in metres. */
-    double pixel() {
+    public double pixel() {
         return 1 / view.get().scale();
     }
 }

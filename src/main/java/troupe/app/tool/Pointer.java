@@ -17,7 +17,7 @@ public record Pointer(Point at, double px, double py, boolean shift, boolean alt
     }
 
     /** Returns how far it is from another in pixels. */
-    double pixelsTo(Pointer other) {
+    public double pixelsTo(Pointer other) {
         return Math.hypot(px - other.px, py - other.py);
     }
 }

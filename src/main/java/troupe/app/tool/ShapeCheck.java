@@ -8,7 +8,7 @@ import troupe.geometry.SelfIntersection;
 import troupe.scene.World;
 
 /** Says at once what is wrong with an outline that is being drawn or bent. Pure. */
-final class ShapeCheck {
+public final class ShapeCheck {
     private static final double LEAST_AREA = 1e-4;
     /** The most pairs of edges that are looked at; a larger outline is checked in the background only. */
     private static final long PAIRS = 200_000;
@@ -16,7 +16,7 @@ final class ShapeCheck {
     private ShapeCheck() {}
 
     /** Returns what is wrong with the outline in the words of the person, empty if nothing is. */
-    static Optional<String> wrong(Polygon outline, World world, Texts texts) {
+    public static Optional<String> wrong(Polygon outline, World world, Texts texts) {
         if (outline.size() < 3) {
             return Optional.of(texts.get("shape.corners"));
         }

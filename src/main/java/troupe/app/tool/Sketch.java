@@ -18,13 +18,13 @@ import troupe.paint.Tone;
 import troupe.paint.Viewport;
 
 /** Paints what tools show besides the scene: shapes under way, guides, bubbles with a text. Pure. */
-final class Sketch {
+public final class Sketch {
     private static final int BEYOND = 2_000;
 
     private Sketch() {}
 
     /** Returns the pixels of an outline. */
-    static Path2D path(Polygon outline, Viewport view) {
+    public static Path2D path(Polygon outline, Viewport view) {
         Path2D path = new Path2D.Double();
         for (int i = 0; i < outline.size(); i++) {
             if (i == 0) {
@@ -38,7 +38,7 @@ final class Sketch {
     }
 
     /** Paints an outline that is not part of the scene yet; red and dashed when it is wrong. */
-    static void outline(Graphics2D g, Viewport view, Look look, Polygon outline, boolean wrong) {
+    public static void outline(Graphics2D g, Viewport view, Look look, Polygon outline, boolean wrong) {
         Path2D path = path(outline, view);
         g.setColor(look.theme().color(wrong ? Tone.MOVE : Tone.ACCENT, 0.15));
         g.fill(path);
@@ -48,7 +48,7 @@ final class Sketch {
     }
 
     /** Paints a corner as a small square, filled when it is the one in hand. */
-    static void corner(Graphics2D g, Viewport view, Look look, Point at, boolean active) {
+    public static void corner(Graphics2D g, Viewport view, Look look, Point at, boolean active) {
         Rectangle2D square = new Rectangle2D.Double(view.px(at.x()) - 3.5, view.py(at.y()) - 3.5, 7, 7);
         g.setColor(look.color(active ? Tone.ACCENT : Tone.PANEL));
         g.fill(square);
@@ -58,7 +58,7 @@ final class Sketch {
     }
 
     /** Paints what a place was snapped to. */
-    static void guide(Graphics2D g, Viewport view, Look look, Optional<Guide> shown, Point at) {
+    public static void guide(Graphics2D g, Viewport view, Look look, Optional<Guide> shown, Point at) {
         if (shown.isEmpty()) {
             return;
         }
@@ -95,12 +95,12 @@ final class Sketch {
         }
     }
 
-    static Line2D line(Viewport view, Point from, Point to) {
+    public static Line2D line(Viewport view, Point from, Point to) {
         return new Line2D.Double(view.px(from.x()), view.py(from.y()), view.px(to.x()), view.py(to.y()));
     }
 
     /** Paints an open line through places. */
-    static void line(Graphics2D g, Viewport view, Look look, List<Point> places, boolean wrong) {
+    public static void line(Graphics2D g, Viewport view, Look look, List<Point> places, boolean wrong) {
         g.setColor(look.color(wrong ? Tone.MOVE : Tone.ACCENT));
         g.setStroke(Theme.line(2));
         for (int i = 1; i < places.size(); i++) {
@@ -109,7 +109,7 @@ final class Sketch {
     }
 
     /** Paints a text on a small card, its middle above a pixel. */
-    static void bubble(Graphics2D g, Look look, double px, double py, String text, boolean wrong) {
+    public static void bubble(Graphics2D g, Look look, double px, double py, String text, boolean wrong) {
         if (text.isEmpty()) {
             return;
         }
@@ -120,7 +120,7 @@ final class Sketch {
     }
 
     /** Paints a text on a small card beside the pointer. */
-    static void beside(Graphics2D g, Look look, double px, double py, String text, boolean wrong) {
+    public static void beside(Graphics2D g, Look look, double px, double py, String text, boolean wrong) {
         if (!text.isEmpty()) {
             card(g, look, (int) px + 16, (int) py + 14, text, wrong);
         }

@@ -5,8 +5,8 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import troupe.app.session.Session;
 import troupe.paint.Viewport;
-import troupe.run.Frames;
 import troupe.run.Run;
+import troupe.run.frame.Frames;
 import troupe.scene.Avatar;
 import troupe.scene.Encounter;
 

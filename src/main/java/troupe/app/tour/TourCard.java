@@ -18,9 +18,9 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JTextArea;
 import javax.swing.KeyStroke;
-import troupe.app.look.FlatButton;
 import troupe.app.look.Icons;
 import troupe.app.look.Look;
+import troupe.app.look.widget.FlatButton;
 import troupe.paint.Tone;
 
 /** Shows a few words with buttons below, on a card that can be dragged aside. */

@@ -5,6 +5,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.LongStream;
+import troupe.cli.report.Csv;
+import troupe.cli.report.ProblemTable;
 import troupe.cli.terminal.Arguments;
 import troupe.cli.terminal.Command;
 import troupe.cli.terminal.ExitCode;
@@ -13,16 +15,16 @@ import troupe.cli.terminal.Output;
 import troupe.cli.terminal.ProgressBar;
 import troupe.cli.terminal.Terminal;
 import troupe.cli.terminal.UsageException;
-import troupe.exchange.ExchangeException;
-import troupe.exchange.MovingAiMap;
-import troupe.exchange.MovingAiProblems;
+import troupe.exchange.format.ExchangeException;
+import troupe.exchange.scenario.MovingAiMap;
+import troupe.exchange.scenario.MovingAiProblems;
 import troupe.run.Engine;
 import troupe.run.Report;
 import troupe.scene.Scene;
 import troupe.scene.xml.SceneException;
 import troupe.scene.xml.SceneSource;
-import troupe.work.Batch;
-import troupe.work.ProblemBatch;
+import troupe.work.batch.Batch;
+import troupe.work.batch.ProblemBatch;
 
 /** Plans many cases and writes a table. */
 public final class BatchCommand implements Command {

@@ -12,7 +12,7 @@ import troupe.scene.check.Problem;
 import troupe.scene.check.Severity;
 import troupe.scene.xml.SceneException;
 import troupe.scene.xml.SceneSource;
-import troupe.work.SceneInspection;
+import troupe.work.inspect.SceneInspection;
 
 /** Tells every problem of a scene. */
 public final class CheckCommand implements Command {

@@ -12,6 +12,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import troupe.cli.report.EncounterTable;
 import troupe.cli.terminal.Arguments;
 import troupe.cli.terminal.ExitCode;
 import troupe.cli.terminal.Option;
@@ -26,7 +27,7 @@ import troupe.scene.Encounter;
 import troupe.scene.Scene;
 import troupe.scene.xml.SceneException;
 import troupe.scene.xml.TrackTable;
-import troupe.work.EncounterBatch;
+import troupe.work.batch.EncounterBatch;
 
 /** Runs many encounters, by chance or among recorded people, by several methods side by side. */
 final class EncounterBatches {

@@ -18,8 +18,8 @@ import troupe.scene.Encounter;
 import troupe.scene.Scene;
 import troupe.scene.xml.SceneException;
 import troupe.scene.xml.SceneSource;
-import troupe.work.Explainer;
-import troupe.work.Explanation;
+import troupe.work.explain.Explainer;
+import troupe.work.explain.Explanation;
 
 /** Tells what would change a plan. */
 public final class ExplainCommand implements Command {

@@ -9,9 +9,9 @@ import troupe.run.Report;
 import troupe.scene.Ability;
 import troupe.scene.Journey;
 import troupe.scene.Preferences;
-import troupe.work.Explanation;
-import troupe.work.Flip;
-import troupe.work.Route;
+import troupe.work.explain.Explanation;
+import troupe.work.explain.Flip;
+import troupe.work.explain.Route;
 
 /** Puts an explanation into lines for people, or into a JSON object. */
 final class ExplanationText {

@@ -5,22 +5,23 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import troupe.cli.report.Pictures;
 import troupe.cli.terminal.Arguments;
 import troupe.cli.terminal.Command;
 import troupe.cli.terminal.ExitCode;
 import troupe.cli.terminal.Option;
 import troupe.cli.terminal.Terminal;
 import troupe.cli.terminal.UsageException;
-import troupe.exchange.ExchangeException;
-import troupe.exchange.ExportSettings;
-import troupe.exchange.Exporter;
 import troupe.exchange.Formats;
+import troupe.exchange.format.ExchangeException;
+import troupe.exchange.format.ExportSettings;
+import troupe.exchange.format.Exporter;
 import troupe.paint.Theme;
-import troupe.run.Overlay;
 import troupe.run.Run;
 import troupe.run.file.RunException;
 import troupe.run.file.RunFile;
-import troupe.work.Fields;
+import troupe.run.view.Overlay;
+import troupe.work.view.Fields;
 
 /** Writes a saved run in another format. */
 public final class ExportCommand implements Command {

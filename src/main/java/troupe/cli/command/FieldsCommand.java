@@ -16,14 +16,14 @@ import troupe.cli.terminal.ExitCode;
 import troupe.cli.terminal.Option;
 import troupe.cli.terminal.Terminal;
 import troupe.cli.terminal.UsageException;
-import troupe.exchange.ExchangeException;
+import troupe.exchange.format.ExchangeException;
 import troupe.grid.GridLimitException;
-import troupe.run.Aspect;
-import troupe.run.Overlay;
+import troupe.run.view.Aspect;
+import troupe.run.view.Overlay;
 import troupe.scene.Scene;
 import troupe.scene.xml.SceneException;
 import troupe.scene.xml.SceneSource;
-import troupe.work.Fields;
+import troupe.work.view.Fields;
 
 /** Draws the grid core of a scene. */
 public final class FieldsCommand implements Command {

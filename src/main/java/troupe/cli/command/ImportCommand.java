@@ -12,12 +12,12 @@ import troupe.cli.terminal.Option;
 import troupe.cli.terminal.Output;
 import troupe.cli.terminal.Terminal;
 import troupe.cli.terminal.UsageException;
-import troupe.exchange.ExchangeException;
 import troupe.exchange.Formats;
-import troupe.exchange.Importer;
+import troupe.exchange.format.ExchangeException;
+import troupe.exchange.format.Importer;
 import troupe.scene.Scene;
 import troupe.scene.xml.SceneXml;
-import troupe.work.SceneInspection;
+import troupe.work.inspect.SceneInspection;
 
 /** Makes a scene of another program's file. */
 public final class ImportCommand implements Command {

@@ -15,8 +15,8 @@ import troupe.scene.setting.Settings;
 import troupe.scene.xml.SceneException;
 import troupe.scene.xml.SceneSource;
 import troupe.scene.xml.SceneXml;
-import troupe.work.SceneInspection;
 import troupe.work.Tasks;
+import troupe.work.inspect.SceneInspection;
 
 /** Reads scenes for commands and applies what the command line sets. */
 final class SceneFiles {

@@ -1,5 +1,4 @@
 /**
- * Holds the commands, one class each, and what several of them share: what they read, the tables and pictures
- * they write.
+ * Holds the commands, one class each, and what several of them share in reading and planning.
  */
 package troupe.cli.command;

@@ -2,7 +2,7 @@ package troupe.cli.terminal;
 
 import java.io.IOException;
 import java.util.List;
-import troupe.exchange.ExchangeException;
+import troupe.exchange.format.ExchangeException;
 import troupe.run.file.RunException;
 import troupe.scene.xml.SceneException;
 

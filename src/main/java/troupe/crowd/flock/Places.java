@@ -10,7 +10,7 @@ import troupe.grid.GridFrame;
  * which one comes. So the ground fills from the goal outwards, and nobody stands in the way of the next. The places
  * lie on a triangular lattice, {@value #PITCH} radii apart, twice as many as there are agents. One thread at a time.
  */
-final class Places {
+public final class Places {
     /** The bodies cover half of the ground. */
     private static final double PITCH = 2.7;
 

@@ -5,6 +5,7 @@ import troupe.grid.GridFrame;
 import troupe.grid.layer.Columns;
 import troupe.grid.layer.Layers;
 import troupe.grid.layer.Spans;
+import troupe.grid.region.ground.Structure;
 import troupe.scene.Actor;
 import troupe.scene.Obstacle;
 import troupe.scene.Scene;

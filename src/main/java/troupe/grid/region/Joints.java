@@ -1,6 +1,7 @@
 package troupe.grid.region;
 
 import troupe.grid.layer.Spans;
+import troupe.grid.region.ground.Words;
 import troupe.scene.Actor;
 
 /** Joins single spans to their neighbours, for cells where neighbouring columns differ. */

@@ -3,6 +3,7 @@ package troupe.grid.region;
 import troupe.grid.GridFrame;
 import troupe.grid.Window;
 import troupe.grid.layer.Spans;
+import troupe.grid.region.ground.Words;
 
 /**
  * Finds the legal steps between spans of the same sheet, one bit per direction, and which spans have others.

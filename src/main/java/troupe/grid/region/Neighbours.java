@@ -7,6 +7,8 @@ import troupe.grid.GridLimitException;
 import troupe.grid.Window;
 import troupe.grid.layer.Column;
 import troupe.grid.layer.Spans;
+import troupe.grid.region.crossing.Crossings;
+import troupe.grid.region.ground.Words;
 import troupe.scene.Actor;
 
 /** Finds the legal neighbours of configurations that have some on other sheets or crossings near. */

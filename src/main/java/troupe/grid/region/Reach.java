@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.BitSet;
 import troupe.geometry.Polygon;
 import troupe.grid.GridFrame;
+import troupe.grid.region.ground.WalkBar;
 import troupe.scene.Ability;
 
 /**

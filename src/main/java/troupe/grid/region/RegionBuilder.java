@@ -4,7 +4,8 @@ import java.util.concurrent.ForkJoinPool;
 import java.util.concurrent.ForkJoinTask;
 import troupe.grid.layer.Layers;
 import troupe.grid.layer.Spans;
-import troupe.scene.Ability;
+import troupe.grid.region.crossing.WidestVaults;
+import troupe.grid.region.ground.Structure;
 import troupe.scene.Actor;
 import troupe.scene.Obstacle;
 import troupe.scene.Scene;
@@ -105,9 +106,5 @@ public final class RegionBuilder {
     /** Returns the region in which no movable obstacle is there. */
     public Region bare() {
         return groundwork.bare(region());
-    }
-
-    static int standingBits(Actor actor) {
-        return Ability.WALK.bit() | (actor.sidestep().isPresent() ? Ability.SIDESTEP.bit() : 0);
     }
 }

@@ -8,6 +8,12 @@ import troupe.grid.GridFrame;
 import troupe.grid.Window;
 import troupe.grid.layer.Column;
 import troupe.grid.layer.Spans;
+import troupe.grid.region.crossing.CrossingFinder;
+import troupe.grid.region.crossing.Crossings;
+import troupe.grid.region.ground.Kind;
+import troupe.grid.region.ground.Solid;
+import troupe.grid.region.ground.Structure;
+import troupe.grid.region.ground.Words;
 
 /**
  * Works out what changes in a region when movable obstacles are put, taken or moved, in the boxes where

@@ -2,6 +2,8 @@ package troupe.grid.region;
 
 import java.util.Arrays;
 import troupe.grid.GridFrame;
+import troupe.grid.region.crossing.Crossings;
+import troupe.grid.region.ground.Words;
 
 /**
  * Holds the legal neighbours of those configurations over a band of rows for which a mask of directions does

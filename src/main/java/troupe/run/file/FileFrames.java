@@ -6,8 +6,8 @@ import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import troupe.run.FrameLayout;
-import troupe.run.PartedFrames;
+import troupe.run.frame.FrameLayout;
+import troupe.run.frame.PartedFrames;
 
 /**
  * Gives the frames of a run file that is too large to be held: parts of a second are read when they are

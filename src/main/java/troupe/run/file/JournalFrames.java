@@ -6,8 +6,8 @@ import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.file.Path;
-import troupe.run.FrameLayout;
-import troupe.run.PartedFrames;
+import troupe.run.frame.FrameLayout;
+import troupe.run.frame.PartedFrames;
 
 /**
  * Gives the frames of a journal that is too large to be held: a second is read when it is asked for and checked

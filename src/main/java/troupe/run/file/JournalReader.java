@@ -12,12 +12,12 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
-import troupe.run.BlockFrames;
-import troupe.run.FrameLayout;
-import troupe.run.FrameRecorder;
-import troupe.run.Frames;
 import troupe.run.Report;
 import troupe.run.Run;
+import troupe.run.frame.BlockFrames;
+import troupe.run.frame.FrameLayout;
+import troupe.run.frame.FrameRecorder;
+import troupe.run.frame.Frames;
 import troupe.scene.Scene;
 import troupe.search.Outcome;
 

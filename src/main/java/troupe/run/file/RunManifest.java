@@ -2,9 +2,9 @@ package troupe.run.file;
 
 import java.util.List;
 import java.util.Map;
-import troupe.run.Channel;
 import troupe.run.Report;
 import troupe.run.Run;
+import troupe.run.frame.Channel;
 import troupe.search.Outcome;
 
 /** Holds what {@code run.xml} says: everything of a run but its scene and its frames, and what those must be. */

@@ -3,9 +3,9 @@ package troupe.run.file;
 import java.util.List;
 import java.util.Map;
 import java.util.StringJoiner;
-import troupe.run.Channel;
 import troupe.run.Report;
 import troupe.run.Run;
+import troupe.run.frame.Channel;
 import troupe.scene.setting.XmlText;
 import troupe.search.Outcome;
 

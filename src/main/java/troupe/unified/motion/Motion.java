@@ -6,10 +6,10 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.stream.Collectors;
 import troupe.geometry.Pose;
-import troupe.run.Channel;
-import troupe.run.FrameRecorder;
-import troupe.run.Frames;
 import troupe.run.Run;
+import troupe.run.frame.Channel;
+import troupe.run.frame.FrameRecorder;
+import troupe.run.frame.Frames;
 import troupe.scene.Ability;
 import troupe.scene.Actor;
 

@@ -6,8 +6,8 @@ import troupe.geometry.Line;
 import troupe.geometry.Point;
 import troupe.grid.GridFrame;
 import troupe.grid.layer.Spans;
-import troupe.grid.region.Kind;
 import troupe.grid.region.Region;
+import troupe.grid.region.ground.Kind;
 import troupe.scene.Ability;
 import troupe.unified.body.SweptBody;
 

@@ -1,8 +1,8 @@
 package troupe.unified.search;
 
 import troupe.grid.GridFrame;
-import troupe.grid.region.Kind;
 import troupe.grid.region.Region;
+import troupe.grid.region.ground.Kind;
 import troupe.scene.Ability;
 import troupe.search.BestFirst;
 import troupe.search.BucketQueue;

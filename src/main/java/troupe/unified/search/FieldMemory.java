@@ -3,8 +3,8 @@ package troupe.unified.search;
 import java.util.Arrays;
 import java.util.BitSet;
 import troupe.grid.GridFrame;
-import troupe.grid.region.Kind;
 import troupe.grid.region.Region;
+import troupe.grid.region.ground.Kind;
 import troupe.scene.Ability;
 import troupe.search.BucketQueue;
 

@@ -1,7 +1,7 @@
 package troupe.unified.search;
 
 import java.util.Arrays;
-import troupe.grid.region.Kind;
+import troupe.grid.region.ground.Kind;
 import troupe.scene.Ability;
 import troupe.scene.Actor;
 import troupe.scene.Preferences;

@@ -1,6 +1,6 @@
 package troupe.unified.search;
 
-import troupe.grid.region.Kind;
+import troupe.grid.region.ground.Kind;
 import troupe.search.LabelPool;
 
 /**

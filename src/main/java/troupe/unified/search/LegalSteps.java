@@ -1,7 +1,7 @@
 package troupe.unified.search;
 
-import troupe.grid.region.Kind;
 import troupe.grid.region.Region;
+import troupe.grid.region.ground.Kind;
 
 /**
  * Decides whether a label may step to a neighbour, and what it carries on: {@code STABLE} and {@code

@@ -29,6 +29,8 @@ import troupe.app.document.NewElements;
 import troupe.app.document.SceneDocument;
 import troupe.app.look.Look;
 import troupe.app.look.Texts;
+import troupe.app.panel.inspector.InspectorPanel;
+import troupe.app.panel.inspector.PreferencesSection;
 import troupe.app.session.Session;
 import troupe.geometry.Polygon;
 import troupe.paint.Theme;

@@ -13,10 +13,10 @@ import troupe.app.document.Version;
 import troupe.app.look.Texts;
 import troupe.app.plan.Plan;
 import troupe.app.plan.Snapshot;
-import troupe.run.FrameRecorder;
-import troupe.run.Frames;
 import troupe.run.Report;
 import troupe.run.Run;
+import troupe.run.frame.FrameRecorder;
+import troupe.run.frame.Frames;
 import troupe.scene.Scene;
 import troupe.scene.check.Problem;
 import troupe.scene.check.Severity;
@@ -24,9 +24,9 @@ import troupe.scene.setting.Settings;
 import troupe.scene.xml.SceneException;
 import troupe.scene.xml.SceneXml;
 import troupe.search.Outcome;
-import troupe.work.Explainer;
-import troupe.work.Explanation;
 import troupe.work.Tasks;
+import troupe.work.explain.Explainer;
+import troupe.work.explain.Explanation;
 
 class PlanWordsTest {
     private static Explanation explain(String file, String task) throws SceneException, IOException {

@@ -18,7 +18,7 @@ import troupe.app.plan.Views;
 import troupe.app.session.OverlayChoice;
 import troupe.geometry.Point;
 import troupe.grid.GridFrame;
-import troupe.run.Overlay;
+import troupe.run.view.Overlay;
 import troupe.scene.Scene;
 
 class PointerReadoutTest {

@@ -23,16 +23,16 @@ import troupe.app.OnEventThread;
 import troupe.app.Scenes;
 import troupe.app.document.Version;
 import troupe.run.Engine;
-import troupe.run.Overlay;
 import troupe.run.Run;
+import troupe.run.view.Overlay;
 import troupe.scene.Ability;
 import troupe.scene.Journey;
 import troupe.scene.Scene;
 import troupe.scene.check.Problem;
 import troupe.scene.check.Severity;
 import troupe.search.Outcome;
-import troupe.work.Explanation;
-import troupe.work.Route;
+import troupe.work.explain.Explanation;
+import troupe.work.explain.Route;
 
 class LivePlannerTest implements PlanningSteps {
     private static final long FOREVER = 1_000_000;

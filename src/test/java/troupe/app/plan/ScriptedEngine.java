@@ -1,12 +1,12 @@
 package troupe.app.plan;
 
 import java.util.List;
-import troupe.run.Aspect;
 import troupe.run.Engine;
-import troupe.run.FrameRecorder;
-import troupe.run.Overlay;
 import troupe.run.Report;
 import troupe.run.Run;
+import troupe.run.frame.FrameRecorder;
+import troupe.run.view.Aspect;
+import troupe.run.view.Overlay;
 import troupe.scene.Scene;
 import troupe.search.Outcome;
 

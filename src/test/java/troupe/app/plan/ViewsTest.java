@@ -7,7 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import troupe.app.Scenes;
-import troupe.run.Overlay;
+import troupe.run.view.Overlay;
 
 class ViewsTest {
     private static final Overlay A = new Overlay.Points("a", 0, new double[] {1, 1});

@@ -2,12 +2,12 @@ package troupe.app.plan;
 
 import java.util.ArrayList;
 import java.util.List;
-import troupe.run.Channel;
-import troupe.run.FrameRecorder;
-import troupe.run.Overlay;
 import troupe.run.Report;
 import troupe.run.Run;
 import troupe.run.Simulation;
+import troupe.run.frame.Channel;
+import troupe.run.frame.FrameRecorder;
+import troupe.run.view.Overlay;
 import troupe.scene.Scene;
 import troupe.search.Outcome;
 

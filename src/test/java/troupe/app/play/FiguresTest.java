@@ -8,10 +8,10 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import troupe.app.Scenes;
 import troupe.app.play.Figures.Stretch;
-import troupe.run.Channel;
-import troupe.run.Frames;
 import troupe.run.Report;
 import troupe.run.Run;
+import troupe.run.frame.Channel;
+import troupe.run.frame.Frames;
 import troupe.scene.Ability;
 import troupe.search.Outcome;
 

@@ -22,7 +22,7 @@ import troupe.scene.Scene;
 import troupe.scene.check.Problem;
 import troupe.scene.check.Severity;
 import troupe.scene.xml.SceneSource;
-import troupe.work.SceneInspection;
+import troupe.work.inspect.SceneInspection;
 
 /** Breaks a small room, and mends it with the first fix that is offered. */
 class FixesTest {

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import troupe.geometry.Polygon;
+import troupe.grid.region.ground.Kind;
 import troupe.scene.Ability;
 import troupe.scene.Actor;
 import troupe.scene.Ditch;

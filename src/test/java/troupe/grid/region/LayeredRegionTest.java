@@ -9,6 +9,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import troupe.geometry.Polygon;
 import troupe.grid.layer.Layers;
+import troupe.grid.region.ground.Kind;
 import troupe.scene.Actor;
 import troupe.scene.Ditch;
 import troupe.scene.Obstacle;

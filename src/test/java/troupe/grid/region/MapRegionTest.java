@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import troupe.SharedData;
-import troupe.exchange.MovingAiMap;
+import troupe.exchange.scenario.MovingAiMap;
 import troupe.scene.Scene;
 
 /** Builds the regions of published maps, whose cells a point actor must have exactly. */

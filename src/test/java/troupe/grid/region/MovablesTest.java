@@ -15,6 +15,7 @@ import org.junit.jupiter.api.Test;
 import troupe.geometry.Polygon;
 import troupe.grid.Window;
 import troupe.grid.layer.Layers;
+import troupe.grid.region.ground.Kind;
 import troupe.scene.Ability;
 import troupe.scene.Actor;
 import troupe.scene.Ditch;

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import troupe.geometry.Polygon;
+import troupe.grid.region.ground.Kind;
 import troupe.scene.Ability;
 import troupe.scene.Actor;
 import troupe.scene.Obstacle;

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import troupe.geometry.Polygon;
+import troupe.grid.region.ground.Solid;
 import troupe.scene.Actor;
 import troupe.scene.Ditch;
 import troupe.scene.Obstacle;

@@ -28,7 +28,7 @@ import troupe.scene.check.Severity;
 import troupe.scene.setting.Settings;
 import troupe.scene.xml.TrackTable;
 import troupe.search.Outcome;
-import troupe.work.EncounterBatch;
+import troupe.work.batch.EncounterBatch;
 
 /** Checks the studies: random encounters, threads, calibration, recorded walkers. */
 class StudyTest {

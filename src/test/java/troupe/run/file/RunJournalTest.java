@@ -17,12 +17,12 @@ import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import troupe.run.Digest;
-import troupe.run.Frames;
-import troupe.run.Overlay;
 import troupe.run.Run;
 import troupe.run.RunComparison;
 import troupe.run.SampleRuns;
 import troupe.run.Simulation;
+import troupe.run.frame.Frames;
+import troupe.run.view.Overlay;
 import troupe.search.Outcome;
 
 /** Keeps runs of four frames a second in journals and opens what is left of them. */

@@ -5,7 +5,7 @@ import troupe.geometry.Line;
 import troupe.geometry.Polygon;
 
 /** Makes random simple outlines, convex and concave, and measures between two of them. */
-final class Shapes {
+public final class Shapes {
     private Shapes() {}
 
     /** Returns a star-shaped polygon about a point: three to eight corners at random distances. */

@@ -9,7 +9,7 @@ import troupe.scene.Obstacle;
  * neither, as far as a vault over something may lead, but for what no vault can take. From a floor from which nothing
  * movable can be vaulted, only over what is fixed.
  */
-final class WidestVaults {
+public final class WidestVaults {
     private final Space space;
     private final Ground ground;
     private final Actor.Vault vault;

@@ -8,7 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
-import troupe.grid.region.Kind;
+import troupe.grid.region.ground.Kind;
 import troupe.scene.Ability;
 import troupe.scene.Actor;
 import troupe.scene.Preferences;

@@ -8,8 +8,8 @@ import java.util.List;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import troupe.SharedData;
-import troupe.exchange.MovingAiMap;
-import troupe.exchange.MovingAiProblems;
+import troupe.exchange.scenario.MovingAiMap;
+import troupe.exchange.scenario.MovingAiProblems;
 import troupe.grid.region.Region;
 import troupe.scene.Preferences;
 

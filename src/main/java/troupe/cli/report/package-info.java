@@ -1,0 +1,4 @@
+/**
+ * Writes what commands tell, as tables and pictures.
+ */
+package troupe.cli.report;
