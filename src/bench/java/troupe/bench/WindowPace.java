@@ -91,7 +91,7 @@ public final class WindowPace {
         }
         Path file = Files.createTempFile("crowd", ".xml");
         file.toFile().deleteOnExit();
-        SceneXml.write(CrowdBench.scene(Integer.parseInt(word), 0.5, true), file);
+        SceneXml.write(CrowdBench.town(Integer.parseInt(word)), file);
         return file;
     }
 

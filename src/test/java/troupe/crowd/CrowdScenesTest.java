@@ -22,7 +22,10 @@ import troupe.scene.xml.SceneException;
 import troupe.scene.xml.SceneXml;
 import troupe.search.Outcome;
 
-/** Runs the sample scenes, shortened where they are large; the tables of docs/crowd.md come from longer runs. */
+/**
+ * Runs the sample scenes, shortened where they are large, or with {@code -Dtroupe.crowd.whole=true} to their ends; the
+ * tables of docs/crowd.md come from longer runs.
+ */
 class CrowdScenesTest {
     private static Scene set(Scene scene, String... settings) {
         Scene changed = scene;
@@ -45,7 +48,10 @@ class CrowdScenesTest {
     })
     void nobodyOverlapsOrStandsInAnObstacle(String name, String motion, String seconds)
             throws IOException, SceneException {
-        Scene scene = set(CrowdEngineTest.scene(name), "motion", motion, "seconds", seconds);
+        Scene scene = set(CrowdEngineTest.scene(name), "motion", motion);
+        if (!Boolean.getBoolean("troupe.crowd.whole")) {
+            scene = set(scene, "seconds", seconds);
+        }
         Run run = CrowdEngineTest.run(scene);
         assertTrue(run.frames().count() > 200, run.outcome().toString());
         assertEquals(Optional.empty(), new Legality(run).fault());
