@@ -14,6 +14,11 @@ final class Cells {
     /** How many cells to each side hold all neighbours. */
     static final int REACH = 2;
 
+    /** How many numbers of {@link #expected} an agent has, and where the second velocity begins. */
+    static final int EXPECTED = 4;
+
+    static final int COMING = 2;
+
     final int count;
     final int cols;
     final int rows;
@@ -34,12 +39,9 @@ final class Cells {
     final double[] topSpeed;
     final int[] leaf;
     final byte[] state;
-    /** The velocity that others expect, and the one that they expect of who comes against them. */
-    final double[] goingX;
+    /** {@value #EXPECTED} numbers each: the velocity that others expect, then the one that who comes against it expects. */
+    final double[] expected;
 
-    final double[] goingY;
-    final double[] comingX;
-    final double[] comingY;
     /** The direction of each agent's path, a unit vector or 0. */
     final double[] pathX;
 
@@ -79,10 +81,7 @@ final class Cells {
         topSpeed = new double[count];
         leaf = new int[count];
         state = new byte[count];
-        goingX = new double[count];
-        goingY = new double[count];
-        comingX = new double[count];
-        comingY = new double[count];
+        expected = new double[EXPECTED * count];
         span = new int[count];
         roomy = new boolean[count];
         tight = new boolean[count];
@@ -132,12 +131,13 @@ final class Cells {
         boolean goes = agents.state[i] != Agents.ARRIVED;
         pathX[place] = goes ? agents.pathX[i] : 0;
         pathY[place] = goes ? agents.pathY[i] : 0;
-        goingX[place] = headingX[place] * speed[place];
-        goingY[place] = headingY[place] * speed[place];
+        int at = EXPECTED * place;
+        expected[at] = headingX[place] * speed[place];
+        expected[at + 1] = headingY[place] * speed[place];
         // who comes against one is expected to come on, even if it stands at the moment
         double pace = Math.max(speed[place], 0.5 * topSpeed[place]);
-        comingX[place] = pathX[place] * pace;
-        comingY[place] = pathY[place] * pace;
+        expected[at + COMING] = pathX[place] * pace;
+        expected[at + COMING + 1] = pathY[place] * pace;
         left[place] = agents.left[i];
         rank[place] = agents.rank[i];
     }
@@ -164,11 +164,11 @@ final class Cells {
 
     /** Returns the first place of a run of cells. */
     int start(int col, int row) {
-        return starts[row * cols + Math.max(0, col)];
+        return starts[row * cols + col];
     }
 
     /** Returns the place after the last of a run of cells that ends with {@code col}. */
     int end(int col, int row) {
-        return starts[row * cols + Math.min(cols - 1, col) + 1];
+        return starts[row * cols + col + 1];
     }
 }

@@ -14,9 +14,6 @@ public final class Flock {
     /** The share of its distance for which an agent keeps to a place that it goes for, before it looks again. */
     private static final double KEPT = 0.2;
 
-    /** The radii of clearance at which others can pass somebody. */
-    private static final double PASSED = 4;
-
     private final Agents agents;
     private final Sweep sweep;
     private final Cells cells;
@@ -77,7 +74,7 @@ public final class Flock {
         Terrain terrain = way.terrain();
         int span = agents.span[i];
         agents.roomy[i] = terrain.roomy(span);
-        agents.tight[i] = terrain.clearance(span) < PASSED * agents.radius[i];
+        agents.tight[i] = terrain.tight(span);
         agents.left[i] = way.potential(span);
         if (paper) {
             int d = way.next(span);

@@ -15,7 +15,14 @@ final class Sight {
     /** Those who have arrived push so little, whoever they are, that others can settle beside them. */
     private static final double SETTLED_PUSH = 0.3;
 
-    private static final int NEAR = 96;
+    /** The share of the sum of radii within which somebody beside the way is in the way. */
+    private static final double GRAZE = 0.7;
+
+    /** Metres that an agent keeps from the one before it, so that no pack gets so dense that nobody can move. */
+    private static final double COMFORT = 0.1;
+
+    /** The most that are listed as near. */
+    static final int NEAR = 96;
 
     private final Cells cells;
     private final Proposals out;
@@ -41,10 +48,6 @@ final class Sight {
     double cohesionY;
     double alignmentX;
     double alignmentY;
-    /** The push sideways from those whom the agent would meet soon, as {@link Steering} finds it. */
-    double asideX;
-
-    double asideY;
     /** How many are in view. */
     int seen;
     /** How many were looked at, over all agents. */
@@ -57,6 +60,10 @@ final class Sight {
     final double[] nearY = new double[NEAR];
     final double[] nearReach = new double[NEAR];
     int nearCount;
+    /** Those before the agent: how far along its way, and half the chord that it cuts out of the sum of their discs, squared. */
+    private final double[] aheadAlong = new double[NEAR + 1];
+
+    private final double[] aheadHalf = new double[NEAR + 1];
     /** The most steps for which one of those near gives way. */
     int yielding;
 
@@ -118,11 +125,14 @@ final class Sight {
         int count = 0;
         int lastRow = cells.row(y + reach);
         int ownRow = cells.row(y);
+        int firstCol = cells.col(x - reach);
+        int lastCol = cells.col(x + reach);
         for (int row = cells.row(y - reach); row <= lastRow; row++) {
             // only the outer rows are so far that fewer columns will do
-            double half = Math.abs(row - ownRow) < Cells.REACH ? reach : cells.halfWidth(reach, y, row);
-            int end = cells.end(cells.col(x + half), row);
-            int start = cells.start(cells.col(x - half), row);
+            boolean outer = Math.abs(row - ownRow) >= Cells.REACH;
+            double half = outer ? cells.halfWidth(reach, y, row) : 0;
+            int end = cells.end(outer ? cells.col(x + half) : lastCol, row);
+            int start = cells.start(outer ? cells.col(x - half) : firstCol, row);
             visits += end - start;
             if (count + end - start >= found.length) {
                 grow(count + end - start + 1);
@@ -206,6 +216,26 @@ final class Sight {
             }
         }
         return contacts;
+    }
+
+    /** Returns the free way in metres in a direction, up to the first near that stands or goes there, less some comfort. */
+    double room(double hx, double hy) {
+        int count = 0;
+        for (int m = 0; m < nearCount; m++) {
+            double along = nearX[m] * hx + nearY[m] * hy;
+            double across = nearX[m] * hy - nearY[m] * hx;
+            double reach = nearReach[m];
+            // written in any case and counted if it is in the way: no branch to guess wrong
+            aheadAlong[count] = along;
+            aheadHalf[count] = reach * reach - across * across;
+            // who is only grazed does not slow one down: the rounds settle who goes first
+            count += (Math.abs(across) < GRAZE * reach ? 1 : 0) & (along > 0 ? 1 : 0);
+        }
+        double room = Double.POSITIVE_INFINITY;
+        for (int c = 0; c < count; c++) {
+            room = Math.min(room, aheadAlong[c] - Math.sqrt(aheadHalf[c]));
+        }
+        return Math.max(0, room - COMFORT);
     }
 
     private void keep(double radius, double nearSquared) {

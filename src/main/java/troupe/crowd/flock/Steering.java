@@ -19,17 +19,8 @@ import troupe.scene.Crowd;
 final class Steering {
     /** Seconds that an agent keeps to the one ahead. */
     static final double TIME_GAP = 0.5;
-    /** Collisions further off in seconds than this are not looked at. */
-    private static final double HORIZON = 3;
-
-    /** The share of the sum of radii within which somebody beside the way is in the way. */
-    private static final double GRAZE = 0.7;
-
     /** Below this share of the speed that it could have, an agent looks for a way past those ahead. */
     private static final double SLOW = 0.4;
-
-    /** Metres that an agent keeps from the one before it, so that no pack gets so dense that nobody can move. */
-    private static final double COMFORT = 0.1;
 
     private static final double ACCELERATION = 2.5;
     /** Steps of standing still after which an agent tries directions by chance. */
@@ -71,18 +62,19 @@ final class Steering {
     /** Makes the proposals of a range of places; returns how many others were looked at. */
     long run(int from, int to) {
         Sight sight = new Sight(cells, out, bounds, pull);
+        Anticipation ahead = new Anticipation(cells);
         for (int k = from; k < to; k++) {
             if (cells.state[k] == Agents.ARRIVED) {
                 makingRoom.run(k, step);
             } else {
                 sight.look(k);
-                steer(k, sight);
+                steer(k, sight, ahead);
             }
         }
         return sight.visits;
     }
 
-    private void steer(int k, Sight s) {
+    private void steer(int k, Sight s, Anticipation ahead) {
         int agent = cells.agent[k];
         double pathX = cells.pathX[k];
         double pathY = cells.pathY[k];
@@ -105,9 +97,9 @@ final class Steering {
                 + pull.alignment * s.alignmentY / n
                 + pull.path * pathY;
         if (!paper) {
-            anticipate(k, pathX, pathY, s);
-            sumX += pull.anticipation * s.asideX;
-            sumY += pull.anticipation * s.asideY;
+            ahead.look(k, pathX, pathY, s);
+            sumX += pull.anticipation * ahead.asideX;
+            sumY += pull.anticipation * ahead.asideY;
         }
         double length = Math.sqrt(sumX * sumX + sumY * sumY);
         double headingX = cells.headingX[k];
@@ -120,46 +112,6 @@ final class Steering {
             headingY = norm > 1e-6 ? y / norm : sumY / length;
         }
         propose(k, agent, headingX, headingY, s);
-    }
-
-    /** Finds the push sideways from those that the agent would meet soon if it went down its path. */
-    private void anticipate(int k, double pathX, double pathY, Sight s) {
-        double pushX = 0;
-        double pushY = 0;
-        double speed = cells.topSpeed[k];
-        for (int m = 0; m < s.nearCount; m++) {
-            int j = s.near[m];
-            double dx = s.nearX[m];
-            double dy = s.nearY[m];
-            boolean opposing = cells.pathX[j] * pathX + cells.pathY[j] * pathY < -0.2;
-            double wx = pathX * speed - (opposing ? cells.comingX[j] : cells.goingX[j]);
-            double wy = pathY * speed - (opposing ? cells.comingY[j] : cells.goingY[j]);
-            double along = wx * dx + wy * dy;
-            if (along <= 0) {
-                continue;
-            }
-            double reach = s.nearReach[m] + 0.1;
-            double relative = wx * wx + wy * wy;
-            double apart = Math.max(0, dx * dx + dy * dy - reach * reach);
-            double root = along * along - relative * apart;
-            if (root <= 0) {
-                continue;
-            }
-            double time = apart / (along + Math.sqrt(root));
-            if (time >= HORIZON) {
-                continue;
-            }
-            double urgency = (1 - time / HORIZON) * (1 - time / HORIZON);
-            double side = wx * dy - wy * dx;
-            double bias = opposing ? -0.7 * reach * Math.sqrt(relative) : 0;
-            double right = side >= bias ? urgency : -urgency;
-            pushX += right * pathY;
-            pushY -= right * pathX;
-        }
-        double size = Math.sqrt(pushX * pushX + pushY * pushY);
-        double scale = size > 1.2 ? 1.2 / size : 1;
-        s.asideX = pushX * scale;
-        s.asideY = pushY * scale;
     }
 
     private void propose(int k, int agent, double headingX, double headingY, Sight s) {
@@ -183,7 +135,7 @@ final class Steering {
             speed = 0.4 * speed;
         } else {
             double most = Math.min(speed, cells.speed[k] + ACCELERATION * Crowd.STEP_SECONDS);
-            speed = Math.min(most, room(hx, hy, s) / TIME_GAP);
+            speed = Math.min(most, s.room(hx, hy) / TIME_GAP);
             if (speed < SLOW * most) {
                 int turn = turn(k, agent, hx, hy, most, s);
                 double cos = Steps.TURN_COS[turn];
@@ -191,7 +143,7 @@ final class Steering {
                 double x = cos * hx - sin * hy;
                 hy = sin * hx + cos * hy;
                 hx = x;
-                speed = Math.min(most, room(hx, hy, s) / TIME_GAP);
+                speed = Math.min(most, s.room(hx, hy) / TIME_GAP);
             }
         }
         out.headingX[k] = chance ? cells.headingX[k] : headingX;
@@ -210,7 +162,7 @@ final class Steering {
             double sin = Steps.TURN_SIN[turn];
             double x = cos * hx - sin * hy;
             double y = sin * hx + cos * hy;
-            double gain = cos * Math.min(most, room(x, y, s) / TIME_GAP);
+            double gain = cos * Math.min(most, s.room(x, y) / TIME_GAP);
             if (gain > gained * 1.05
                     && terrain.step(cells.span[k], cells.roomy[k], cells.x[k] + x * reach, cells.y[k] + y * reach)
                             >= 0) {
@@ -219,23 +171,5 @@ final class Steering {
             }
         }
         return best;
-    }
-
-    /** Returns the free way in metres in a direction, up to the first that stands or goes there. */
-    private static double room(double hx, double hy, Sight s) {
-        double room = Double.POSITIVE_INFINITY;
-        for (int m = 0; m < s.nearCount; m++) {
-            double dx = s.nearX[m];
-            double dy = s.nearY[m];
-            double along = dx * hx + dy * hy;
-            double across = dx * hy - dy * hx;
-            double reach = s.nearReach[m];
-            // who is only grazed does not slow one down: the rounds settle who goes first
-            boolean inTheWay = Math.abs(across) < GRAZE * reach && along > 0;
-            if (inTheWay) {
-                room = Math.min(room, along - Math.sqrt(reach * reach - across * across));
-            }
-        }
-        return Math.max(0, room - COMFORT);
     }
 }

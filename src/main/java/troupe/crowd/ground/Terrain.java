@@ -23,6 +23,11 @@ public final class Terrain {
     private static final int ROOMY = 1 << 9;
     /** The bit of a span whose floor is at elevation 0. */
     private static final int GROUND = 1 << 10;
+    /** The bit of a span so near to walls that nobody can pass an agent there. */
+    private static final int TIGHT = 1 << 11;
+
+    /** The radii of clearance from which others can pass somebody. */
+    private static final double PASSED = 4;
 
     private final Region region;
     private final GridFrame frame;
@@ -76,6 +81,9 @@ public final class Terrain {
         int word = region.plain(q) ? region.moves(q) : LISTED;
         if (clearance[q] >= radius + HALF_DIAGONAL * frame.cell()) {
             word |= ROOMY;
+        }
+        if (clearance[q] < PASSED * radius) {
+            word |= TIGHT;
         }
         return region.elevation(q) == 0 ? word | GROUND : word;
     }
@@ -152,6 +160,11 @@ public final class Terrain {
         return (legal[q] & ROOMY) != 0;
     }
 
+    /** Tells whether an agent over a span stands in a door or the like, where nobody can pass it. */
+    public boolean tight(int q) {
+        return (legal[q] & TIGHT) != 0;
+    }
+
     /** Returns the open span that a step in a direction of {@link GridFrame} leads to, -1 if none is legal. */
     public int neighbour(int q, int d) {
         int word = legal[q];
@@ -159,6 +172,11 @@ public final class Terrain {
             return (word >> d & 1) == 0 ? -1 : q + offsets[d];
         }
         return targets[slots[q] * GridFrame.DIRECTIONS + d];
+    }
+
+    /** Returns the open span after a step that is known to be legal, as {@link #neighbour} does, but sooner. */
+    int after(int q, int d) {
+        return slots == null ? q + offsets[d] : neighbour(q, d);
     }
 
     /**
@@ -178,18 +196,18 @@ public final class Terrain {
      * @param roomy whether {@code q} is {@link #roomy}, which who moves knows without looking
      */
     public int step(int q, boolean roomy, double x, double y) {
-        int cell = q % cells;
-        int row = cell / frame.cols();
-        int dc = frame.colAt(x) - (cell - row * frame.cols());
-        int dr = frame.rowAt(y) - row;
-        if ((dc | dr) == 0) {
+        // no index is divided: a step leads at most one cell away, so the difference of the indices tells which way
+        int apart = frame.index(frame.colAt(x), frame.rowAt(y)) - (q < cells ? q : q % cells);
+        if (apart == 0) {
             return roomy || clear(q, x, y) ? q : -1;
         }
-        if (dc < -1 || dc > 1 || dr < -1 || dr > 1) {
-            return -1;
+        for (int d = 0; d < GridFrame.DIRECTIONS; d++) {
+            if (offsets[d] == apart) {
+                int to = neighbour(q, d);
+                return to >= 0 && clear(to, x, y) ? to : -1;
+            }
         }
-        int to = neighbour(q, direction(dc, dr));
-        return to >= 0 && clear(to, x, y) ? to : -1;
+        return -1;
     }
 
     /** Returns the direction of {@link GridFrame} of a step of -1, 0 or 1 columns and rows, not both 0. */
@@ -208,7 +226,13 @@ public final class Terrain {
             return true;
         }
         double floor = region.elevation(q);
-        return walls.clear(q % cells, x, y, radius, floor + stepHeight + Column.SAME, floor + bodyHeight - Column.SAME);
+        return walls.clear(
+                q < cells ? q : q % cells,
+                x,
+                y,
+                radius,
+                floor + stepHeight + Column.SAME,
+                floor + bodyHeight - Column.SAME);
     }
 
     /** Tells whether the straight way between two spans' cells leads over legal steps only. Cost O(its cells). */

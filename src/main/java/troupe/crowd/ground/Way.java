@@ -167,24 +167,16 @@ public final class Way {
     }
 
     private int look(int q) {
-        int end = q;
+        int[] chain = new int[most + 1];
+        chain[0] = q;
         int steps = 0;
-        while (steps < most && next[end] >= 0) {
-            end = terrain.neighbour(end, next[end]);
+        while (steps < most && next[chain[steps]] >= 0) {
+            chain[steps + 1] = terrain.after(chain[steps], next[chain[steps]]);
             steps++;
         }
-        while (steps > 1 && !terrain.sees(q, end)) {
+        while (steps > 1 && !terrain.sees(q, chain[steps])) {
             steps = steps * 3 / 4;
-            end = along(q, steps);
         }
-        return end;
-    }
-
-    private int along(int q, int steps) {
-        int at = q;
-        for (int k = 0; k < steps; k++) {
-            at = terrain.neighbour(at, next[at]);
-        }
-        return at;
+        return chain[steps];
     }
 }
