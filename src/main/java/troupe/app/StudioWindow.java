@@ -1,7 +1,6 @@
 package troupe.app;
 
 import java.awt.BorderLayout;
-import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.Toolkit;
 import java.awt.event.ComponentAdapter;
@@ -381,7 +380,7 @@ final class StudioWindow {
         show(content.outline(), on);
     }
 
-    private void show(Component part, boolean on) {
+    private void show(JComponent part, boolean on) {
         if (part.isVisible() != on) {
             if (part.getParent() instanceof JSplitPane split) {
                 ThinDivider.show(split, part, on);

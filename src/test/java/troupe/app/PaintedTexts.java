@@ -27,17 +27,18 @@ import java.text.AttributedCharacterIterator;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Consumer;
 
 /**
  * Paints like the graphics that it is made of, and keeps every text that is painted with where it stands and how much
  * of it can be seen.
  */
-final class PaintedTexts extends Graphics2D {
+public final class PaintedTexts extends Graphics2D {
     private final Graphics2D to;
     private final List<Text> texts;
 
     /** A text, the box it takes in pixels of the device, and the box that it is cut to; null if it is not cut. */
-    record Text(String words, Rectangle2D box, Rectangle2D clip) {
+    public record Text(String words, Rectangle2D box, Rectangle2D clip) {
 
         /** Tells whether anything of the text can be seen. */
         boolean isSeen() {
@@ -57,12 +58,16 @@ final class PaintedTexts extends Graphics2D {
 
     /** Paints a component that is on the screen and returns its texts. Belongs to the event thread. */
     static List<Text> of(Component component) {
-        BufferedImage image =
-                new BufferedImage(component.getWidth(), component.getHeight(), BufferedImage.TYPE_INT_RGB);
+        return of(component.getWidth(), component.getHeight(), component::printAll);
+    }
+
+    /** Has something painted on a picture and returns its texts. */
+    public static List<Text> of(int width, int height, Consumer<Graphics2D> painting) {
+        BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         Graphics2D g = image.createGraphics();
-        g.setClip(0, 0, image.getWidth(), image.getHeight());
+        g.setClip(0, 0, width, height);
         List<Text> texts = new ArrayList<>();
-        component.printAll(new PaintedTexts(g, texts));
+        painting.accept(new PaintedTexts(g, texts));
         g.dispose();
         return texts;
     }

@@ -266,7 +266,11 @@ public final class Canvas extends Drawn implements AutoCloseable {
         Graphics2D g = Look.smooth(graphics);
         g.setRenderingHint(RenderingHints.KEY_FRACTIONALMETRICS, RenderingHints.VALUE_FRACTIONALMETRICS_ON);
         g.scale(scale, scale);
-        layers.paint(g, (int) Math.ceil(wide()), (int) Math.ceil(high()), view);
+        if (isPaintingForPrint()) {
+            layers.print(g, (int) Math.ceil(wide()), (int) Math.ceil(high()), view);
+        } else {
+            layers.paint(g, (int) Math.ceil(wide()), (int) Math.ceil(high()), view);
+        }
         paintCards(g);
         if (marked) {
             g.setColor(look.color(Tone.ACCENT));

@@ -52,6 +52,7 @@ final class CanvasLayers implements AutoCloseable {
     private Scene painted;
     private List<?> paintedMoment = List.of();
     private ScenePainter scenePainter;
+    private boolean printing;
     private double elevation = Double.POSITIVE_INFINITY;
 
     /**
@@ -126,6 +127,14 @@ final class CanvasLayers implements AutoCloseable {
     void paint(Graphics2D g, int width, int height, Viewport of) {
         view = of;
         stack.paint(g, width, height, look.color(Tone.CANVAS), of);
+    }
+
+    /** Paints all layers without keeping any of them, of shapes alone. */
+    void print(Graphics2D g, int width, int height, Viewport of) {
+        view = of;
+        printing = true;
+        stack.print(g, width, height, look.color(Tone.CANVAS));
+        printing = false;
     }
 
     /** Leaves only a trace of what begins above the floors of the layer looked at. */
@@ -254,7 +263,12 @@ final class CanvasLayers implements AutoCloseable {
 
     private void paintActors(Graphics2D g) {
         ghost.paintMovers(g, view);
-        run().ifPresent(run -> run.paintActors(g, view, session.playback().time(), agents));
+        double time = session.playback().time();
+        if (printing) {
+            run().ifPresent(run -> run.paintActors(g, view, time));
+        } else {
+            run().ifPresent(run -> run.paintActors(g, view, time, agents));
+        }
     }
 
     private static LayerStack.Layer layer(Supplier<Object> stamp, Consumer<Graphics2D> painting) {

@@ -72,6 +72,13 @@ final class LayerStack {
         device.dispose();
     }
 
+    /** Paints all layers on a background, each directly: for printers, and whoever wants to see what is painted. */
+    void print(Graphics2D g, int width, int height, Color background) {
+        g.setColor(background);
+        g.fillRect(0, 0, width, height);
+        layers.forEach(layer -> layer.paint(g));
+    }
+
     /** Makes the picture of all layers, those below {@code keep} from what is kept of them. */
     private void compose(int keep, int width, int height, AffineTransform scale, Color background) {
         all = room(all, width, height);

@@ -32,6 +32,7 @@ import troupe.geometry.Point;
 import troupe.paint.Tone;
 import troupe.run.Report;
 import troupe.run.Run;
+import troupe.scene.Crowd;
 
 /** Says what happened, what the mouse would do now, and what is under the pointer. */
 public final class StatusBar extends Panel {
@@ -246,7 +247,13 @@ public final class StatusBar extends Panel {
             return;
         }
         String millis = Texts.number(plan.millis(), plan.millis() < 10 ? 1 : 0);
-        String text = found ? look().texts().format("status.planned", millis) : PlanWords.outcome(run, look().texts());
+        boolean simulated = run.scene().task(run.task()).orElse(null) instanceof Crowd;
+        String text = found
+                ? look().texts()
+                        .format(
+                                simulated ? "status.simulated" : "status.planned",
+                                simulated ? Texts.number(plan.millis() / 1000, 1) : millis)
+                : PlanWords.outcome(run, look().texts());
         List<String> more = new ArrayList<>();
         if (found && run.report().values().get("expanded") instanceof Long expanded) {
             more.add(look().texts().format("status.expanded", expanded));

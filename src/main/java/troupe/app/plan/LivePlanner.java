@@ -35,7 +35,7 @@ public final class LivePlanner implements AutoCloseable {
     public static final long PATIENCE_MS = 200;
 
     /** How long in ms work that is not wanted any more may take to end before it is left behind. */
-    public static final long GRACE_MS = 70;
+    public static final long GRACE_MS = 40;
 
     private static final long SLICE = 1_000;
 

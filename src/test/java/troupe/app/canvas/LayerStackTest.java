@@ -81,4 +81,15 @@ class LayerStackTest {
                     "step " + i + " seed " + seed);
         }
     }
+
+    @Test
+    void printsWhatItPaints() {
+        LayerStack stack = new LayerStack(layers);
+        int[] painted = paint(stack, 1, "");
+        BufferedImage image = new BufferedImage(SIZE, SIZE, BufferedImage.TYPE_INT_RGB);
+        Graphics2D g = image.createGraphics();
+        stack.print(g, SIZE, SIZE, Color.WHITE);
+        g.dispose();
+        assertArrayEquals(painted, image.getRGB(0, 0, SIZE, SIZE, null, 0, SIZE));
+    }
 }

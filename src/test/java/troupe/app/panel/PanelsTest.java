@@ -34,11 +34,18 @@ import troupe.app.panel.inspector.PreferencesSection;
 import troupe.app.session.Session;
 import troupe.geometry.Polygon;
 import troupe.paint.Theme;
+import troupe.run.Report;
+import troupe.run.Run;
+import troupe.run.frame.Channel;
+import troupe.run.frame.FrameRecorder;
+import troupe.run.frame.Frames;
 import troupe.scene.Ability;
+import troupe.scene.Crowd;
 import troupe.scene.Journey;
 import troupe.scene.Obstacle;
 import troupe.scene.Preferences;
 import troupe.scene.Scene;
+import troupe.search.Outcome;
 
 /** Works the panels without a window. */
 class PanelsTest {
@@ -236,6 +243,24 @@ class PanelsTest {
         });
         JLabel happened = find(status, "status.happened");
         Await.until("planned", () -> happened.getText().matches("Planned in \\d+(\\.\\d)? ms"));
+    }
+
+    @Test
+    void theStatusTellsOfACrowdThatItWasSimulated() {
+        begin(new ScriptedSteps(1, () -> {}));
+        Crowd crowd = Crowd.of("crowd", List.of());
+        Scene with = new Scene("", session.document().scene().world(), List.of(), List.of(), List.of(), List.of(crowd));
+        Run run = new Run(with, "crowd", Outcome.FOUND, Report.builder().build(), frames(), List.of(), List.of());
+        String text = OnEventThread.get(() -> {
+            StatusBar status = new StatusBar(look, session);
+            session.show(run);
+            return PanelsTest.<JLabel>find(status, "status.happened").getText();
+        });
+        assertEquals("Simulated in 0.0 s", text);
+    }
+
+    private static Frames frames() {
+        return new FrameRecorder(25, List.of(new Channel("x", "m", Channel.Type.F64, "crowd", 1))).frames();
     }
 
     @Test

@@ -15,6 +15,9 @@ import troupe.paint.Tone;
 /** Divides two panels by a thin strip that can be dragged. The function keys stay with the commands. */
 public final class ThinDivider extends BasicSplitPaneUI {
     private static final int SIZE = 4;
+    /** Under this a part keeps the size that it liked to have before it was hidden first. */
+    private static final String LIKED = "troupe.liked";
+
     private final Look look;
     private final Tone tone;
 
@@ -36,11 +39,19 @@ public final class ThinDivider extends BasicSplitPaneUI {
         return split;
     }
 
-    /** Shows or hides a part of a split; what is shown again is as large as it was. */
-    public static void show(JSplitPane split, Component part, boolean on) {
+    /**
+     * Shows or hides a part of a split. What is shown again is as large as it was, but no smaller than it likes to be: the
+     * window may have squeezed it before it was hidden.
+     */
+    public static void show(JSplitPane split, JComponent part, boolean on) {
         boolean columns = split.getOrientation() == JSplitPane.HORIZONTAL_SPLIT;
         if (!on) {
-            part.setPreferredSize(part.getWidth() > 0 ? part.getSize() : part.getPreferredSize());
+            if (part.getClientProperty(LIKED) == null) {
+                part.putClientProperty(LIKED, part.getPreferredSize());
+            }
+            Dimension liked = (Dimension) part.getClientProperty(LIKED);
+            part.setPreferredSize(
+                    new Dimension(Math.max(liked.width, part.getWidth()), Math.max(liked.height, part.getHeight())));
             part.setVisible(false);
             return;
         }
