@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
@@ -27,16 +28,31 @@ class ChineseRobotTest extends RobotTest {
     /** The rest of a word that had no room, the letter of a shortcut, a path. */
     private static final Pattern NO_WORDS = Pattern.compile("\\w*\u2026$|\\w*\\.\\.\\.$|\\+[A-Z]\\b|\\S*/\\S{3,}");
 
-    private static final String NAMES = "Troupe Guy English PedPy Maya Blender";
-    private static final String KEYS = "Ctrl Shift Alt Esc Enter Escape Backspace Delete Home Up Down F";
+    private static final String NAMES = "Troupe Guy English PedPy Maya Blender JDK Java";
+    private static final String KEYS = "Ctrl Shift Alt Esc Enter Escape Backspace Delete Home Page Up Down F";
     private static final String UNITS = "m cm kg s ms J x y z w rad GB px";
     private static final String FORMATS = "xml run gif png pngs csv svg mel blender pedpy";
-    private static final Set<String> ALLOWED = Stream.of(NAMES, KEYS, UNITS, FORMATS)
+    /** Words of commands that the guide quotes. */
+    private static final String COMMANDS = "java jar open my-scene";
+
+    private static final Set<String> ALLOWED = Stream.of(NAMES, KEYS, UNITS, FORMATS, COMMANDS)
             .flatMap(words -> Stream.of(words.split(" ")))
             .collect(Collectors.toSet());
 
     private final Map<String, Set<String>> found = new TreeMap<>();
     private int asked;
+
+    /** Adds the names of what a chooser of files lists and stands in, and what this Java calls itself. */
+    private static void machine(Set<String> own) {
+        for (String property : new String[] {"user.home", "java.vendor", "java.version", "os.name"}) {
+            words(System.getProperty(property).replace('/', ' ')).forEach(own::add);
+        }
+        for (Path here = Path.of("").toAbsolutePath(); here != null; here = here.getParent()) {
+            Stream.of(Objects.requireNonNullElse(here.toFile().list(), new String[0]))
+                    .flatMap(ChineseRobotTest::words)
+                    .forEach(own::add);
+        }
+    }
 
     @Override
     void begin() throws Exception {
@@ -49,6 +65,7 @@ class ChineseRobotTest extends RobotTest {
     private void check(String stage, Container part) {
         Scene scene = studio.session().document().scene();
         Set<String> own = new TreeSet<>(ALLOWED);
+        machine(own);
         Stream.of(
                         scene.obstacles().stream().flatMap(o -> Stream.of(o.id(), o.label())),
                         scene.ditches().stream().flatMap(d -> Stream.of(d.id(), d.label())),

@@ -76,7 +76,8 @@ public final class PaintedTexts extends Graphics2D {
         if (words.isBlank()) {
             return;
         }
-        Rectangle2D box = to.getFont().getStringBounds(words, to.getFontRenderContext());
+        // the space at which a line was wrapped may hang over the edge
+        Rectangle2D box = to.getFont().getStringBounds(words.stripTrailing(), to.getFontRenderContext());
         Rectangle2D there = new Rectangle2D.Double(x + box.getX(), y + box.getY(), box.getWidth(), box.getHeight());
         Shape clip = to.getClip();
         AffineTransform place = to.getTransform();

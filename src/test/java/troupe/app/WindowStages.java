@@ -63,6 +63,7 @@ final class WindowStages {
         dialog("new", "new.room");
         dialog("preferences", "preferences.theme.dark");
         dialog("export", "export.target");
+        new DialogStages(studio, looker).walk();
     }
 
     private void select(String id) {

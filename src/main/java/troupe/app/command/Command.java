@@ -4,6 +4,7 @@ import java.awt.GraphicsEnvironment;
 import java.awt.Toolkit;
 import java.awt.event.ActionEvent;
 import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.AbstractAction;
@@ -90,7 +91,8 @@ public final class Command extends AbstractAction {
             return "";
         }
         String modifiers = InputEvent.getModifiersExText(key.getModifiers());
-        String name = java.awt.event.KeyEvent.getKeyText(key.getKeyCode());
+        int code = key.getKeyCode();
+        String name = code == KeyEvent.VK_COMMA ? "," : KeyEvent.getKeyText(code);
         return modifiers.isEmpty() ? name : modifiers + "+" + name;
     }
 

@@ -75,10 +75,15 @@ public final class RunCommands implements AutoCloseable {
     private Optional<Path> ask(boolean reading) {
         JFileChooser chooser = new JFileChooser();
         chooser.setFileFilter(new FileNameExtensionFilter(look.text("file.runs"), "run"));
-        session.document()
+        Path folder = session.document()
                 .file()
                 .map(f -> f.toAbsolutePath().getParent())
-                .ifPresent(folder -> chooser.setCurrentDirectory(folder.toFile()));
+                .orElse(Path.of("").toAbsolutePath());
+        chooser.setCurrentDirectory(folder.toFile());
+        if (!reading) {
+            session.run().ifPresent(run -> chooser.setSelectedFile(
+                    folder.resolve(run.task() + ".run").toFile()));
+        }
         int answer = reading ? chooser.showOpenDialog(frame) : chooser.showSaveDialog(frame);
         return answer == JFileChooser.APPROVE_OPTION
                 ? Optional.of(chooser.getSelectedFile().toPath())

@@ -19,10 +19,11 @@ public final class AboutPanel extends JPanel {
         super(new BorderLayout(0, 12));
         setName("about.panel");
         setOpaque(false);
+        String program = RunFile.program();
         String version = look.texts()
                 .format(
                         "about.version",
-                        RunFile.program(),
+                        look.texts().get("about." + program, program),
                         System.getProperty("java.version"),
                         System.getProperty("java.vendor"),
                         System.getProperty("os.name"));
