@@ -10,6 +10,7 @@ import javax.swing.Action;
 import javax.swing.KeyStroke;
 import troupe.app.canvas.Canvas;
 import troupe.app.command.Commands;
+import troupe.app.document.Parts;
 import troupe.app.document.SceneDocument;
 import troupe.app.document.SceneEdits;
 import troupe.app.look.Look;
@@ -17,6 +18,7 @@ import troupe.app.session.SceneClipboard;
 import troupe.app.session.Session;
 import troupe.app.tool.Hits;
 import troupe.app.tool.Tool;
+import troupe.scene.Crowd;
 import troupe.scene.Element;
 import troupe.scene.Scene;
 
@@ -113,12 +115,18 @@ final class EditCommands implements AutoCloseable {
     }
 
     private void selectAll() {
-        session.selection()
-                .set(document.shown()
-                        .elements()
-                        .filter(e -> Hits.outline(e).isPresent())
-                        .map(Element::id)
-                        .toList());
+        List<String> all = new ArrayList<>(document.shown()
+                .elements()
+                .filter(e -> Hits.outline(e).isPresent())
+                .map(Element::id)
+                .toList());
+        document.shownTask().ifPresent(task -> {
+            Parts.of(task).forEach(all::add);
+            if (!(task instanceof Crowd)) {
+                all.add(task.id());
+            }
+        });
+        session.selection().set(all);
     }
 
     private void delete() {

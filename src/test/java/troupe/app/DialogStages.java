@@ -42,7 +42,10 @@ final class DialogStages {
         Scene scene = studio.scene();
         OnEventThread.run(() -> studio.session()
                 .document()
-                .commit("edit", SceneEdits.shifted(scene, List.of(scene.obstacles().get(0).id()), 0.1, 0)));
+                .commit(
+                        "edit",
+                        SceneEdits.shifted(
+                                scene, List.of(scene.obstacles().get(0).id()), 0.1, 0)));
         question("unsaved", () -> perform("open"));
         KeptFiles.Left left = new KeptFiles.Left(Optional.of(studio.file()), studio.file(), Instant.EPOCH);
         Recovery.Offer offer =
@@ -75,8 +78,9 @@ final class DialogStages {
         SwingUtilities.invokeLater(() -> perform(command));
         Await.until("the window of " + command, () -> studio.shows(part));
         if (part.equals("guide.text")) {
-            Await.until("the guide is read", () -> ((JEditorPane) studio.find(part)).getDocument().getLength()
-                    > 1_000);
+            Await.until(
+                    "the guide is read",
+                    () -> ((JEditorPane) studio.find(part)).getDocument().getLength() > 1_000);
         }
         shown(command, () -> {}, dialog -> command.equals(dialog.getName()));
     }

@@ -10,9 +10,11 @@ import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import troupe.app.document.Arranging;
 import troupe.app.document.CrowdEdits;
+import troupe.app.document.Mark;
 import troupe.app.document.Parts;
 import troupe.app.document.Pasting;
 import troupe.app.document.SceneDocument;
@@ -207,12 +209,14 @@ class RandomEditsTest {
     }
 
     private void command() {
-        List<String> ids = document.scene()
-                .elements()
-                .map(Element::id)
+        Scene scene = document.scene();
+        Stream<String> places =
+                scene.tasks().stream().flatMap(task -> Mark.of(task).stream()).map(Mark::id);
+        List<String> ids = Stream.of(scene.elements().map(Element::id), parts().stream(), places)
+                .flatMap(all -> all)
+                .distinct()
                 .filter(id -> random.nextInt(4) == 0)
                 .toList();
-        Scene scene = document.scene();
         Arranging.Side side = Arranging.Side.values()[random.nextInt(6)];
         Arranging.Order order = Arranging.Order.values()[random.nextInt(4)];
         int kind = random.nextInt(8);
@@ -225,7 +229,8 @@ class RandomEditsTest {
                         Pasting.into(
                                         scene,
                                         Pasting.extract(
-                                                scene, ids.stream().limit(2).toList()))
+                                                scene, ids.stream().limit(2).toList()),
+                                        document.task())
                                 .scene();
                     case 4 -> SceneEdits.removed(scene, ids.stream().limit(3).toList());
                     case 5 -> SceneEdits.shifted(scene, ids, 0.05, -0.5);

@@ -81,8 +81,9 @@ public final class RunCommands implements AutoCloseable {
                 .orElse(Path.of("").toAbsolutePath());
         chooser.setCurrentDirectory(folder.toFile());
         if (!reading) {
-            session.run().ifPresent(run -> chooser.setSelectedFile(
-                    folder.resolve(run.task() + ".run").toFile()));
+            session.run()
+                    .ifPresent(run -> chooser.setSelectedFile(
+                            folder.resolve(run.task() + ".run").toFile()));
         }
         int answer = reading ? chooser.showOpenDialog(frame) : chooser.showSaveDialog(frame);
         return answer == JFileChooser.APPROVE_OPTION

@@ -19,6 +19,7 @@ import troupe.scene.Task;
  * @param number of the goals of an avatar which one, from 0; else 0
  */
 public record Mark(Kind kind, String owner, int number, Place place) {
+    private static final char HASH = '#';
 
     /** What a place is. */
     public enum Kind {
@@ -52,6 +53,41 @@ public record Mark(Kind kind, String owner, int number, Place place) {
         for (int i = 0; i < heads.size(); i++) {
             all.add(new Mark(Kind.HEAD, id, i, heads.get(i).to()));
         }
+    }
+
+    /**
+     * Returns the id by which this place is selected: its owner's for an avatar, which is dragged by its start; for
+     * any other that of its owner, a hash and what it is. No element has a hash in its id.
+     */
+    public String id() {
+        return switch (kind) {
+            case AVATAR -> owner;
+            case START -> owner + HASH + "start";
+            case GOAL, GROUP -> owner + HASH + "goal";
+            case HEAD -> owner + HASH + number;
+        };
+    }
+
+    /** Finds the place of an id with a hash. */
+    public static Optional<Mark> find(Scene scene, String id) {
+        return id.indexOf(HASH) < 0
+                ? Optional.empty()
+                : scene.task(id.replaceAll("[/#].*", "")).stream()
+                        .flatMap(task -> of(task).stream())
+                        .filter(mark -> mark.id().equals(id))
+                        .findFirst();
+    }
+
+    /** Returns the scene without this place: a goal of an avatar can be done without, any other stays. */
+    Scene removed(Scene scene) {
+        return kind != Kind.HEAD
+                ? scene
+                : Parts.withAvatar(scene, owner, avatar -> {
+                    List<Avatar.Head> heads = new ArrayList<>(heads(avatar));
+                    heads.remove(number);
+                    Avatar.Script script = (Avatar.Script) avatar.motion();
+                    return moving(avatar, new Avatar.Script(script.start(), script.pace(), heads));
+                });
     }
 
     /** Returns where an avatar starts, empty for one that was recorded. */

@@ -36,11 +36,12 @@ public final class Parts {
         return task instanceof Crowd crowd ? crowd.allGroups().map(g -> id(task.id(), g.id())) : Stream.empty();
     }
 
-    /** Tells whether the scene has an element or a part of this id. */
+    /** Tells whether the scene has an element, a part or a place ({@link Mark}) of this id. */
     public static boolean isThere(Scene scene, String id) {
         return scene.element(id).isPresent()
                 || avatar(scene, id).isPresent()
-                || group(scene, id).isPresent();
+                || group(scene, id).isPresent()
+                || Mark.find(scene, id).isPresent();
     }
 
     /** Returns the task to which a part belongs. */

@@ -13,6 +13,7 @@ import troupe.scene.Encounter;
 import troupe.scene.Journey;
 import troupe.scene.Obstacle;
 import troupe.scene.Scene;
+import troupe.scene.Task;
 
 /**
  * Takes elements out of one scene and puts them into another: what would have an id that is taken gets a free
@@ -27,24 +28,32 @@ public final class Pasting {
     /** Holds a scene into which something was pasted, and the ids that this has there. */
     public record Pasted(Scene scene, List<String> ids) {}
 
-    /** Returns a scene of the same world that holds only those elements. */
+    /** Returns a scene of the same world that holds only those elements, and tasks that carry those avatars and groups. */
     public static Scene extract(Scene scene, List<String> ids) {
+        List<Task> tasks = new ArrayList<>(chosen(scene.tasks(), ids));
+        tasks.addAll(PartPasting.carriers(scene, ids));
         return new Scene(
                 "",
                 scene.world(),
                 chosen(scene.obstacles(), ids),
                 chosen(scene.ditches(), ids),
                 chosen(scene.actors(), ids),
-                chosen(scene.tasks(), ids));
+                tasks);
     }
 
     private static <E extends Element> List<E> chosen(List<E> all, List<String> ids) {
         return all.stream().filter(e -> ids.contains(e.id())).toList();
     }
 
-    /** Puts all elements of one scene into another, those whose id is taken there under a free one. */
-    public static Pasted into(Scene scene, Scene pasted) {
-        List<Element> elements = pasted.elements().toList();
+    /**
+     * Puts all elements of one scene into another, those whose id is taken there under a free one; avatars and groups
+     * that came without their task into the task that is looked at, or else the first that can have them.
+     *
+     * @param looked the id of the task that is looked at, empty if there is none
+     */
+    public static Pasted into(Scene scene, Scene pasted, String looked) {
+        List<Element> elements =
+                pasted.elements().filter(e -> !PartPasting.isCarrier(e)).toList();
         double aside = aside(scene, pasted);
         Scene changed = scene;
         List<String> ids = new ArrayList<>();
@@ -55,6 +64,12 @@ public final class Pasting {
             renamed.put(element.id(), free.id());
             changed = NewElements.with(changed, acted(shifted(free, aside), renamed));
             ids.add(free.id());
+        }
+        for (Task carrier :
+                pasted.tasks().stream().filter(PartPasting::isCarrier).toList()) {
+            Pasted parts = PartPasting.into(changed, carrier, looked);
+            changed = parts.scene();
+            ids.addAll(parts.ids());
         }
         return new Pasted(changed, ids);
     }
@@ -67,6 +82,11 @@ public final class Pasting {
         List<Polygon> coming = new ArrayList<>();
         pasted.obstacles().forEach(o -> coming.add(o.outline()));
         pasted.ditches().forEach(d -> coming.add(d.outline()));
+        return aside(there, coming);
+    }
+
+    /** Returns how far aside some outlines must be put so that none lies exactly on one that is there. */
+    static double aside(Set<Polygon> there, List<Polygon> coming) {
         double aside = 0;
         while (covered(there, coming, aside)) {
             aside += ASIDE;
@@ -78,7 +98,7 @@ public final class Pasting {
         return coming.stream().anyMatch(p -> there.contains(shifted(p, aside)));
     }
 
-    private static Polygon shifted(Polygon outline, double aside) {
+    static Polygon shifted(Polygon outline, double aside) {
         return aside == 0 ? outline : SceneEdits.rounded(outline.shifted(aside, -aside));
     }
 

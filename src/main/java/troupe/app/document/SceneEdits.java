@@ -1,6 +1,7 @@
 package troupe.app.document;
 
 import java.util.Collection;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BinaryOperator;
@@ -23,7 +24,10 @@ import troupe.scene.Task;
 public final class SceneEdits {
     private SceneEdits() {}
 
-    /** Returns the scene with the obstacles and ditches of these ids shifted by {@code (dx, dy)} metres. */
+    /**
+     * Returns the scene with what these ids name shifted by {@code (dx, dy)} metres: obstacles, ditches, where an avatar
+     * or the members of a group stand at first, both ends of a task, single places ({@link Mark}).
+     */
     public static Scene shifted(Scene scene, Collection<String> ids, double dx, double dy) {
         Scene changed = scene;
         for (String id : ids) {
@@ -32,11 +36,25 @@ public final class SceneEdits {
                 changed = changed.with(obstacle.withOutline(obstacle.outline().shifted(dx, dy)));
             } else if (element instanceof Ditch ditch) {
                 changed = changed.with(ditch.withOutline(ditch.outline().shifted(dx, dy)));
+            } else if (element instanceof Task task) {
+                changed = shiftedEnds(changed, task, dx, dy);
             } else {
-                changed = shiftedPart(changed, id, dx, dy);
+                Scene now = changed;
+                changed = Mark.find(now, id)
+                        .filter(mark -> scene.task(mark.owner()).isEmpty() || !ids.contains(mark.owner()))
+                        .map(mark -> mark.moved(now, shifted(mark.place(), dx, dy)))
+                        .orElseGet(() -> shiftedPart(now, id, dx, dy));
             }
         }
         return changed;
+    }
+
+    private static Place shifted(Place place, double dx, double dy) {
+        return new Place(rounded(place.x() + dx), rounded(place.y() + dy), place.z());
+    }
+
+    private static Scene shiftedEnds(Scene scene, Task task, double dx, double dy) {
+        return between(scene, task.id(), (start, goal) -> shifted(start, dx, dy), (s, goal) -> shifted(goal, dx, dy));
     }
 
     /** Shifts where the members of a group stand at first, or where an avatar starts. */
@@ -47,7 +65,7 @@ public final class SceneEdits {
                 m -> new CrowdGroup.Members(
                         m.count(), rounded(m.spawn().shifted(dx, dy)), m.floor(), m.radius(), m.speed()));
         return Parts.withAvatar(changed, id, avatar -> Mark.start(avatar)
-                .map(p -> Mark.starting(avatar, new Place(rounded(p.x() + dx), rounded(p.y() + dy), p.z())))
+                .map(p -> Mark.starting(avatar, shifted(p, dx, dy)))
                 .orElse(avatar));
     }
 
@@ -124,6 +142,7 @@ public final class SceneEdits {
         return scene.element(id)
                 .map(Element::name)
                 .or(() -> Parts.name(scene, id))
+                .or(() -> Mark.find(scene, id).map(mark -> name(scene, mark.owner())))
                 .orElse(id);
     }
 
@@ -134,8 +153,16 @@ public final class SceneEdits {
 
     /** Returns the scene without the elements, and the parts of tasks, of these ids. */
     public static Scene removed(Scene whole, Collection<String> ids) {
+        Scene without = whole;
+        // from the last goal of an avatar to the first: the numbers of those behind it change
+        for (Mark mark : ids.stream()
+                .flatMap(id -> Mark.find(whole, id).stream())
+                .sorted(Comparator.comparingInt(Mark::number).reversed())
+                .toList()) {
+            without = mark.removed(without);
+        }
         Scene scene = Parts.removed(
-                whole,
+                without,
                 ids.stream()
                         .filter(id -> !ids.contains(id.replaceAll("/.*", "")))
                         .toList());

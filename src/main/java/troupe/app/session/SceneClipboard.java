@@ -100,7 +100,8 @@ public final class SceneClipboard implements AutoCloseable {
     }
 
     private void put(Scene part, String key) {
-        Pasting.Pasted pasted = Pasting.into(document().scene(), part);
+        Pasting.Pasted pasted =
+                Pasting.into(document().scene(), part, document().task());
         if (!pasted.ids().isEmpty()) {
             String name = pasted.ids().size() == 1
                     ? texts.format(
@@ -108,6 +109,8 @@ public final class SceneClipboard implements AutoCloseable {
                     : texts.format(key + ".several", pasted.ids().size());
             document().commit(name, pasted.scene());
             session.selection().set(pasted.ids());
+        } else if (part.elements().findAny().isPresent()) {
+            session.notices().tell(new Notice(true, texts.get("paste.nowhere")));
         }
     }
 

@@ -81,12 +81,36 @@ public final class Hits {
     public static List<String> inside(Scene scene, Box box) {
         List<String> ids = new ArrayList<>();
         scene.elements().forEach(element -> outline(element).ifPresent(polygon -> {
-            Box bounds = polygon.bounds();
-            if (box.contains(bounds.minX(), bounds.minY()) && box.contains(bounds.maxX(), bounds.maxY())) {
+            if (isIn(box, polygon)) {
                 ids.add(element.id());
             }
         }));
         return ids;
+    }
+
+    /**
+     * Finds what of a task lies in a box: avatars that start there, groups that stand there wholly at first, and single
+     * places ({@link Mark}); the task itself in place of its ends if both are there.
+     */
+    public static List<String> inside(Scene scene, Task task, Box box) {
+        List<String> ids = new ArrayList<>();
+        Parts.of(task)
+                .filter(id -> Parts.spawn(scene, id).filter(o -> isIn(box, o)).isPresent())
+                .forEach(ids::add);
+        List<Mark> marks = Mark.of(task).stream()
+                .filter(m -> box.contains(m.place().x(), m.place().y()))
+                .toList();
+        long ends = marks.stream().filter(m -> m.owner().equals(task.id())).count();
+        marks.stream()
+                .map(m -> ends > 1 && m.owner().equals(task.id()) ? task.id() : m.id())
+                .distinct()
+                .forEach(ids::add);
+        return ids;
+    }
+
+    private static boolean isIn(Box box, Polygon outline) {
+        Box bounds = outline.bounds();
+        return box.contains(bounds.minX(), bounds.minY()) && box.contains(bounds.maxX(), bounds.maxY());
     }
 
     /** Returns the outline of an obstacle or a ditch, empty for another element. */

@@ -78,21 +78,21 @@ class ArrangingTest {
     void pastesUnderFreeIdsAndLabelsBesideWhatIsThere() {
         Scene part = Pasting.extract(scene, List.of("crate", "ann", "there"));
         assertEquals(List.of("crate"), ids(part.obstacles()));
-        Pasting.Pasted pasted = Pasting.into(scene, part);
+        Pasting.Pasted pasted = Pasting.into(scene, part, "");
         assertEquals(List.of("crate-1", "ann-1", "there-1"), pasted.ids());
         assertEquals(Polygon.rectangle(4.5, 2.5, 5.5, 3.5), outline(pasted.scene(), "crate-1"));
         assertEquals("ann-1", ((Journey) pasted.scene().task("there-1").orElseThrow()).actor());
-        Pasting.Pasted again = Pasting.into(pasted.scene(), part);
+        Pasting.Pasted again = Pasting.into(pasted.scene(), part, "");
         assertEquals(Polygon.rectangle(5, 2, 6, 3), outline(again.scene(), "crate-2"));
         Scene named = scene.with(scene.obstacle("crate").orElseThrow().named("crate", "Crate"));
-        Pasting.Pasted second = Pasting.into(named, Pasting.extract(named, List.of("crate")));
+        Pasting.Pasted second = Pasting.into(named, Pasting.extract(named, List.of("crate")), "");
         assertEquals("Crate 2", second.scene().obstacle("crate-1").orElseThrow().label());
     }
 
     @Test
     void pastesInPlaceWhereNothingLiesThere() {
         Scene part = Pasting.extract(scene, BOTH);
-        Pasting.Pasted pasted = Pasting.into(SceneEdits.removed(scene, BOTH), part);
+        Pasting.Pasted pasted = Pasting.into(SceneEdits.removed(scene, BOTH), part, "");
         assertEquals(BOTH, pasted.ids());
         assertTrue(pasted.scene().obstacles().containsAll(scene.obstacles()));
     }

@@ -30,7 +30,7 @@ class PastingTest {
     void aCrowdPastedTwiceGetsAnotherId() throws Exception {
         Scene scene = sample("crowd/fork.xml");
         Crowd crowd = (Crowd) scene.tasks().get(0);
-        Pasting.Pasted pasted = Pasting.into(scene, scene);
+        Pasting.Pasted pasted = Pasting.into(scene, scene, "");
         Crowd second = (Crowd) pasted.scene().tasks().get(1);
         assertEquals(crowd, second.named(crowd.id(), crowd.label()));
         assertTrue(pasted.ids().contains(second.id()));
@@ -41,7 +41,7 @@ class PastingTest {
     void anEncounterPastedWithItsActorIsOfTheNewOne() throws Exception {
         Scene scene = sample("risk/crossing.xml");
         Encounter encounter = (Encounter) scene.tasks().get(0);
-        Pasting.Pasted pasted = Pasting.into(scene, scene);
+        Pasting.Pasted pasted = Pasting.into(scene, scene, "");
         List<String> old = scene.elements().map(Element::id).toList();
         Encounter second = (Encounter) pasted.scene().tasks().get(scene.tasks().size());
         assertTrue(!old.contains(second.id()) && !old.contains(second.actor()), second.toString());

@@ -15,7 +15,7 @@ import troupe.scene.Scene;
 class SceneEditsTest {
 
     @Test
-    void shiftsObstaclesAndDitchesOnly() {
+    void shiftsObstaclesDitchesAndBothEndsOfATask() {
         Scene scene = Scenes.room();
         Scene moved = SceneEdits.shifted(scene, List.of("crate", "ditch", "ann", "there"), 1, -2);
         assertEquals(
@@ -24,7 +24,9 @@ class SceneEditsTest {
         assertEquals(Polygon.rectangle(1, 5, 3, 6), moved.ditches().get(0).outline());
         assertEquals(scene.obstacle("post"), moved.obstacle("post"));
         assertEquals(scene.actors(), moved.actors());
-        assertEquals(scene.tasks(), moved.tasks());
+        Journey there = (Journey) moved.task("there").orElseThrow();
+        assertEquals(List.of(Place.of(2, -1), Place.of(10, -1)), List.of(there.start(), there.goal()));
+        assertEquals(scene.task("back"), moved.task("back"));
     }
 
     @Test

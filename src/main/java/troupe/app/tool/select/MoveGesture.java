@@ -3,6 +3,7 @@ package troupe.app.tool.select;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import troupe.app.document.Mark;
 import troupe.app.document.SceneEdits;
 import troupe.app.look.Texts;
 import troupe.app.tool.Editing;
@@ -13,6 +14,7 @@ import troupe.app.tool.Snapping;
 import troupe.geometry.Box;
 import troupe.geometry.Point;
 import troupe.geometry.Polygon;
+import troupe.scene.Place;
 import troupe.scene.Scene;
 
 /** Moves what is selected. */
@@ -33,7 +35,21 @@ final class MoveGesture implements Gesture {
         Handles.of(scene, ids, editing.view().get()).map(Handles::box).ifPresent(box -> corners.add(first(box)));
         for (String id : ids) {
             SceneEdits.outline(scene, id).ifPresent(this::addCorners);
+            place(id).ifPresent(place -> corners.add(new Point(place.x(), place.y())));
         }
+        if (corners.isEmpty()) {
+            corners.add(from.at());
+        }
+    }
+
+    /** Returns the place of a task that an id names, or where the task or the avatar of that id starts. */
+    private Optional<Place> place(String id) {
+        return scene.tasks().stream()
+                .flatMap(task -> Mark.of(task).stream())
+                .filter(mark -> mark.id().equals(id)
+                        || mark.kind() == Mark.Kind.START && mark.owner().equals(id))
+                .map(Mark::place)
+                .findFirst();
     }
 
     private static Point first(Box box) {

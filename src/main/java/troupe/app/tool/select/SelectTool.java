@@ -5,11 +5,13 @@ import java.awt.Color;
 import java.awt.Cursor;
 import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import troupe.app.document.Mark;
 import troupe.app.document.Outlines;
 import troupe.app.document.SceneEdits;
+import troupe.app.document.Selection;
 import troupe.app.tool.Editing;
 import troupe.app.tool.Hits;
 import troupe.app.tool.Pointer;
@@ -99,12 +101,13 @@ public final class SelectTool implements Tool {
         }
         corner = -1;
         Optional<Mark> mark = mark(pointer);
-        if (mark.isPresent()) {
+        Optional<String> chosen = mark.flatMap(this::among);
+        if (mark.isPresent() && chosen.isEmpty() && !pointer.shift()) {
             gesture = Optional.of(new MarkGesture(editing, pointer, mark.get()));
             editing.selection().set(List.of(mark.get().owner()));
             return;
         }
-        Optional<String> hit = thing(pointer);
+        Optional<String> hit = chosen.or(() -> mark.map(Mark::id)).or(() -> thing(pointer));
         if (hit.isEmpty()) {
             boxing = true;
             if (!pointer.shift()) {
@@ -165,6 +168,13 @@ public final class SelectTool implements Tool {
         return edge.isPresent();
     }
 
+    /** Returns as what a place is selected together with other things: by itself, or with its owner. */
+    private Optional<String> among(Mark mark) {
+        Selection selection = editing.selection();
+        return Optional.of(selection.contains(mark.id()) ? mark.id() : mark.owner())
+                .filter(id -> selection.contains(id) && selection.ids().size() > 1);
+    }
+
     private CornerGesture cornerGesture(CornerGesture made) {
         cornerOf = single().orElse("");
         corner = made.corner();
@@ -211,7 +221,9 @@ public final class SelectTool implements Tool {
 
     private void selectBox(Pointer pointer) {
         if (pointer.pixelsTo(from) > SLACK) {
-            List<String> inside = Hits.inside(editing.document().shown(), box());
+            Scene scene = editing.document().shown();
+            List<String> inside = new ArrayList<>(Hits.inside(scene, box()));
+            editing.document().shownTask().ifPresent(task -> inside.addAll(Hits.inside(scene, task, box())));
             if (pointer.shift()) {
                 inside.stream().filter(id -> !editing.selection().contains(id)).forEach(editing.selection()::toggle);
             } else {

@@ -144,7 +144,7 @@ class SelectToolTest {
             tool.press(at(4.5, 1));
             tool.drag(at(9.5, 7.5));
             tool.release(at(9.5, 7.5));
-            assertEquals(List.of("post"), selection.ids());
+            assertEquals(List.of("post", "there#goal"), selection.ids());
         });
     }
 
