@@ -111,8 +111,8 @@ class SentencesTest {
         for (String name : List.of(
                 "scene/check/SceneChecks.java",
                 "scene/setting/SettingTable.java",
-                "work/AvatarInspection.java",
-                "work/SceneInspection.java",
+                "work/inspect/AvatarInspection.java",
+                "work/inspect/SceneInspection.java",
                 "unified/Separation.java",
                 "unified/Standpoint.java",
                 "risk/EncounterEngine.java",
@@ -122,14 +122,14 @@ class SentencesTest {
                 "scene/setting/Settings.java",
                 "scene/setting/CrowdSettings.java",
                 "app/look/Failures.java",
-                "exchange/ExportSettings.java",
-                "exchange/GifExport.java",
-                "exchange/ImageExport.java",
-                "exchange/Instants.java",
-                "exchange/PedestrianGround.java",
-                "exchange/Places.java",
-                "exchange/PngFile.java",
-                "exchange/ground/WalkableArea.java")) {
+                "exchange/format/ExportSettings.java",
+                "exchange/picture/GifExport.java",
+                "exchange/picture/ImageExport.java",
+                "exchange/format/Instants.java",
+                "exchange/track/PedestrianGround.java",
+                "exchange/format/Places.java",
+                "exchange/picture/PngFile.java",
+                "exchange/track/WalkableArea.java")) {
             sources.add(MAIN.resolve(name));
         }
         for (String folder : List.of("scene/xml", "run/file")) {
