@@ -3,6 +3,7 @@
  * instants and places of a run that exporters ask for.
  *
  * <p>Guarantees: bad input gives one declared exception with place and cure; output is written whole or not at all,
- * the same in any locale. May use {@code run}, {@code scene} and {@code geometry}.
+ * the same in any locale. May use {@code paint}, {@code run},
+ * {@code scene} and {@code geometry}.
  */
 package troupe.exchange.format;

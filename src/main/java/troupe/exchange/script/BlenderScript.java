@@ -2,6 +2,7 @@ package troupe.exchange.script;
 
 import java.awt.Color;
 import java.util.Locale;
+import troupe.exchange.format.Decimals;
 import troupe.geometry.Polygon;
 
 /**

@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import troupe.exchange.format.Decimals;
 import troupe.geometry.Polygon;
 
 /**

@@ -3,6 +3,7 @@
  * where one can walk, as polygons with holes.
  *
  * <p>Guarantees: rings that do not touch themselves, outlines counter-clockwise and holes clockwise. May use
- * {@code exchange.format}, {@code run}, {@code grid}, {@code scene}, {@code geometry} and {@code java.awt.geom}.
+ * {@code exchange.format}, {@code paint.motion}, {@code run}, {@code scene}, {@code geometry} and
+ * {@code java.awt.geom}.
  */
 package troupe.exchange.track;

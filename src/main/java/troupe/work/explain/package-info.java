@@ -1,6 +1,7 @@
 /**
  * Works out what a plan costs by ability, and at which preference another plan becomes the cheaper one.
  *
- * <p>May use {@code unified}, {@code run} and {@code scene}. Source: Unified section 4; {@code docs/explain.md}.
+ * <p>Guarantees: knows no planner, only reports; keeps nothing between calls. May use {@code run} and {@code scene}.
+ * Source: parametric search (Eisner and Severance 1976), see {@code docs/unified.md}.
  */
 package troupe.work.explain;

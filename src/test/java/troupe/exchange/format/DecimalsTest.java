@@ -1,4 +1,4 @@
-package troupe.exchange.script;
+package troupe.exchange.format;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
