@@ -1,6 +1,5 @@
 package troupe.app;
 
-import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.Toolkit;
 import java.awt.event.ComponentAdapter;
@@ -12,33 +11,17 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Executor;
-import java.util.function.Consumer;
-import javax.swing.Action;
-import javax.swing.JComponent;
 import javax.swing.JFrame;
-import javax.swing.JPanel;
-import javax.swing.JSplitPane;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import javax.swing.WindowConstants;
 import troupe.app.canvas.Canvas;
 import troupe.app.command.CommandSearch;
 import troupe.app.command.Commands;
-import troupe.app.document.SceneEdits;
 import troupe.app.look.Look;
 import troupe.app.look.Scaling;
 import troupe.app.look.SwingTheme;
 import troupe.app.look.Texts;
-import troupe.app.look.widget.ThinDivider;
-import troupe.app.panel.AspectBar;
-import troupe.app.panel.ChipBar;
-import troupe.app.panel.HistoryPanel;
-import troupe.app.panel.OutlinePanel;
-import troupe.app.panel.StatusBar;
-import troupe.app.panel.ToolStrip;
-import troupe.app.panel.inspector.InspectorPanel;
-import troupe.app.panel.inspector.ProblemsSection;
-import troupe.app.panel.timeline.TimelinePanel;
 import troupe.app.play.Playback;
 import troupe.app.problem.Diagnosis;
 import troupe.app.recovery.KeptFiles;
@@ -46,12 +29,8 @@ import troupe.app.recovery.Recovery;
 import troupe.app.session.Session;
 import troupe.app.settings.StudioSettings;
 import troupe.app.solid.Eye;
-import troupe.app.solid.SolidDeck;
 import troupe.app.solid.SolidMode;
-import troupe.app.solid.SolidView;
-import troupe.app.tool.Tool;
 import troupe.app.tour.TourGuide;
-import troupe.geometry.Box;
 import troupe.paint.Theme;
 import troupe.paint.Viewport;
 
@@ -76,23 +55,10 @@ final class StudioWindow {
     private final TourGuide tour;
     private long ticked;
     private Look look;
-    private Content content;
+    private Workbench bench;
     private Eye eye = Eye.DEFAULT;
     private Optional<Boolean> outlineWanted = Optional.empty();
     private boolean historyWanted;
-
-    /** What is built for one look. */
-    private record Content(
-            Canvas canvas,
-            SolidView solid,
-            SolidDeck deck,
-            Commands commands,
-            List<Runnable> closing,
-            OutlinePanel outline,
-            HistoryPanel history,
-            InspectorPanel inspector,
-            TimelinePanel timeline,
-            StatusBar status) {}
 
     StudioWindow(Session session, StudioSettings settings, Executor eventThread) {
         this.session = session;
@@ -129,7 +95,7 @@ final class StudioWindow {
         build();
         playKey = new PlayKey(
                         focused -> SwingUtilities.getWindowAncestor(focused) == frame,
-                        () -> content.commands().get("play").perform())
+                        () -> bench.commands().get("play").perform())
                 .install();
     }
 
@@ -140,7 +106,7 @@ final class StudioWindow {
         frame.setMinimumSize(new Dimension(800, 560));
         frame.setLocationRelativeTo(null);
         frame.setVisible(true);
-        content.canvas().requestFocusInWindow();
+        bench.canvas().requestFocusInWindow();
         List<Path> known = new ArrayList<>(settings.recent());
         session.document().file().ifPresent(known::add);
         recovery.look(known);
@@ -172,12 +138,12 @@ final class StudioWindow {
 
     /** Returns the canvas that is shown now. */
     Canvas canvas() {
-        return content.canvas();
+        return bench.canvas();
     }
 
     /** Returns the commands that are shown now. */
     Commands commands() {
-        return content.commands();
+        return bench.commands();
     }
 
     /** Returns the looks that are shown now. */
@@ -187,112 +153,25 @@ final class StudioWindow {
 
     private void build() {
         Optional<Viewport> view = Optional.empty();
-        if (content != null) {
-            view = content.canvas().isFitted()
-                    ? Optional.empty()
-                    : Optional.of(content.canvas().view());
-            eye = content.solid().eye();
-            dispose(content);
+        if (bench != null) {
+            Canvas old = bench.canvas();
+            view = old.isFitted() ? Optional.empty() : Optional.of(old.view());
+            eye = bench.eye();
+            bench.close();
         }
         SwingTheme.install(look);
-        Canvas canvas = new Canvas(look, session, eventThread);
-        canvas.setSnapping(settings.snapping());
-        StudioCommands made = new StudioCommands(this, look, canvas);
-        content = content(canvas, made);
-        view.ifPresent(canvas::show);
-        showSolid(settings.solid());
+        bench = new Workbench(this, settings, diagnosis, eye, eventThread);
+        bench.showHistory(historyWanted);
+        frame.setContentPane(scaling.apply(bench.pane()));
+        view.ifPresent(bench.canvas()::show);
+        bench.showSolid(settings.solid());
         RecentMenu recent = new RecentMenu(look, settings::recent, pages::open);
-        frame.setJMenuBar(scaling.apply(new TopBar(look, session, made.commands(), recent, this::search)));
+        frame.setJMenuBar(scaling.apply(new TopBar(look, session, bench.commands(), recent, this::search)));
         frame.revalidate();
         frame.repaint();
-        canvas.requestFocusInWindow();
+        bench.canvas().requestFocusInWindow();
         frame.setTitle(FileWords.title(session.document(), look.texts()));
         tour.relook();
-    }
-
-    private Content content(Canvas canvas, StudioCommands made) {
-        Commands commands = made.commands();
-        OutlinePanel outline = new OutlinePanel(look, session, this::zoomTo);
-        HistoryPanel history = new HistoryPanel(look, session);
-        history.setVisible(historyWanted);
-        outline.add(history, BorderLayout.SOUTH);
-        ProblemsSection problems = new ProblemsSection(look, session, diagnosis, this::zoomTo);
-        InspectorPanel inspector = new InspectorPanel(look, session, List.of(problems));
-        Runnable unmark = diagnosis.listeners().add(canvas::show);
-        canvas.show(diagnosis.findings());
-        TimelinePanel timeline = new TimelinePanel(
-                look,
-                session,
-                List.<Action>of(
-                        commands.get("first"),
-                        commands.get("back"),
-                        commands.get("play"),
-                        commands.get("forward"),
-                        commands.get("loop")));
-        StatusBar status = new StatusBar(look, session);
-        ChipBar chips = new ChipBar(look, session);
-        canvas.setLayout(new BorderLayout());
-        chips.setBorder(javax.swing.BorderFactory.createEmptyBorder(10, 6, 10, 6));
-        AspectBar aspects = new AspectBar(look, session);
-        aspects.setBorder(javax.swing.BorderFactory.createEmptyBorder(10, 6, 10, 12));
-        JPanel above = new JPanel(new BorderLayout());
-        above.setOpaque(false);
-        above.add(chips, BorderLayout.CENTER);
-        above.add(aspects, BorderLayout.EAST);
-        canvas.add(above, BorderLayout.NORTH);
-        canvas.pointers().add(status::pointAt);
-        canvas.views().add(view -> status.zoom(canvas.zoomShare()));
-        status.zoom(canvas.zoomShare());
-        Consumer<Tool> hint = tool ->
-                status.hint(tool.message().isEmpty() ? look.text("tool." + tool.key() + ".hint") : tool.message());
-        made.onTool(hint);
-        canvas.gestures().add(hint);
-        SolidView solid = new SolidView(look, session, eye, eventThread);
-        SolidDeck deck = new SolidDeck(look, canvas, solid, () -> wantSolid(SolidMode.HIDDEN));
-        JPanel all = new JPanel(new BorderLayout());
-        all.add(pages.around(body(made, outline, deck, inspector, timeline)), BorderLayout.CENTER);
-        all.add(status, BorderLayout.SOUTH);
-        frame.setContentPane(scaling.apply(all));
-        return new Content(
-                canvas,
-                solid,
-                deck,
-                commands,
-                List.of(
-                        canvas::close,
-                        solid::close,
-                        made::close,
-                        outline::close,
-                        history::close,
-                        unmark,
-                        inspector::close,
-                        timeline::close,
-                        status::close,
-                        chips::close,
-                        aspects::close),
-                outline,
-                history,
-                inspector,
-                timeline,
-                status);
-    }
-
-    private JComponent body(
-            StudioCommands made,
-            OutlinePanel outline,
-            SolidDeck deck,
-            InspectorPanel inspector,
-            TimelinePanel timeline) {
-        JSplitPane right = ThinDivider.split(JSplitPane.HORIZONTAL_SPLIT, deck, inspector, 1, look);
-        JSplitPane both = ThinDivider.split(JSplitPane.HORIZONTAL_SPLIT, outline, right, 0, look);
-        JPanel middle = new JPanel(new BorderLayout());
-        middle.add(new ToolStrip(look, made.tools()), BorderLayout.WEST);
-        middle.add(both, BorderLayout.CENTER);
-        return ThinDivider.split(JSplitPane.VERTICAL_SPLIT, middle, timeline, 1, look);
-    }
-
-    private static void dispose(Content old) {
-        old.closing().forEach(Runnable::run);
     }
 
     /** Shows everything in another theme. */
@@ -338,7 +217,7 @@ final class StudioWindow {
     /** Shows or hides the steps of the history, below the outline. */
     void wantHistory(boolean on) {
         historyWanted = on;
-        content.history().setVisible(on);
+        bench.showHistory(on);
         if (on) {
             wantOutline(true);
         }
@@ -346,63 +225,32 @@ final class StudioWindow {
 
     /** Shows or hides the inspector. */
     void wantInspector(boolean on) {
-        show(content.inspector(), on);
+        bench.showInspector(on);
     }
 
     /** Shows or hides the timeline. */
     void wantTimeline(boolean on) {
-        show(content.timeline(), on);
+        bench.showTimeline(on);
     }
 
     /** Returns from where the view in three dimensions is seen. */
     Eye eye() {
-        return content.solid().eye();
+        return bench.eye();
     }
 
     /** Shows the view in three dimensions in another place, and remembers it. */
     void wantSolid(SolidMode mode) {
         settings.setSolid(mode);
-        showSolid(mode);
-    }
-
-    private void showSolid(SolidMode mode) {
-        content.deck().show(mode);
-        for (SolidMode each : SolidMode.values()) {
-            if (each != SolidMode.HIDDEN) {
-                content.commands().get("solid." + each.key()).setOn(each == mode);
-            }
-        }
+        bench.showSolid(mode);
     }
 
     private void showOutline() {
-        boolean on = outlineWanted.orElse(frame.getWidth() >= look.px(NARROW));
-        content.commands().get("outline").setOn(on);
-        show(content.outline(), on);
-    }
-
-    private void show(JComponent part, boolean on) {
-        if (part.isVisible() != on) {
-            if (part.getParent() instanceof JSplitPane split) {
-                ThinDivider.show(split, part, on);
-            } else {
-                part.setVisible(on);
-            }
-        }
-    }
-
-    private void zoomTo(String id) {
-        SceneEdits.outline(session.document().shown(), id)
-                .ifPresent(outline -> zoomTo(outline.bounds().grown(1.5)));
-    }
-
-    private void zoomTo(Box box) {
-        Canvas canvas = content.canvas();
-        canvas.show(Viewport.fit(box, (int) canvas.wide(), (int) canvas.high(), 60));
+        bench.showOutline(outlineWanted.orElse(frame.getWidth() >= look.px(NARROW)));
     }
 
     /** Opens the search for commands. */
     void search() {
-        CommandSearch.open(frame.getLayeredPane(), look, content.commands(), () -> content.canvas()
+        CommandSearch.open(frame.getLayeredPane(), look, bench.commands(), () -> bench.canvas()
                 .requestFocusInWindow());
     }
 
@@ -435,7 +283,7 @@ final class StudioWindow {
         pages.close();
         recovery.close();
         tour.dispose();
-        dispose(content);
+        bench.close();
         session.close();
         frame.dispose();
     }
