@@ -84,7 +84,7 @@ class DocPictures {
     /** Draws each view of the grid core, in the layers that the goal can be reached from. */
     private static void views(String name, String task) throws SceneException, IOException {
         Scene scene = scene(name);
-        for (String key : List.of("layers", "region", "class", "clearance", "potential", "effort")) {
+        for (String key : List.of("layers", "region", "class", "opening", "clearance", "potential", "effort")) {
             write(Picture.of(scene).with(overlays(scene, task, List.of(key))), name + "-" + key);
         }
         write(

@@ -29,8 +29,8 @@ final class JourneyViews {
     private static final List<String> GUIDES = List.of("skeleton", "potential");
 
     /** The keys of the views that differ between search spaces, between instances, and between headings. */
-    private static final List<String> BY_SPACE =
-            List.of("region", "class", "clearance", "crossings", "effort", "triggers", "expected-path", "instance");
+    private static final List<String> BY_SPACE = List.of(
+            "region", "class", "clearance", "crossings", "opening", "effort", "triggers", "expected-path", "instance");
 
     private static final List<String> BY_INSTANCE = List.of("expected-path", "instance");
     private static final List<String> BY_HEADING = List.of("instance");

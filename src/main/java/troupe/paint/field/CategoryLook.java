@@ -67,6 +67,9 @@ public record CategoryLook(Color colour, Pattern pattern) {
         return switch (word) {
             case "stable", "walk", "reachable", "reached" -> new CategoryLook(theme.color(Tone.WALK), Pattern.PLAIN);
             case "bars-path" -> new CategoryLook(theme.color(Tone.DIM), Pattern.RISING);
+            case "core" -> new CategoryLook(theme.color(Tone.DIM), Pattern.CROSSED);
+            case "regrown" -> new CategoryLook(theme.color(Tone.STEP), Pattern.RISING);
+            case "thin" -> new CategoryLook(theme.color(Tone.MOVE), Pattern.DOTS);
             case "border" -> new CategoryLook(theme.color(Tone.STEP), Pattern.LEVEL);
             case "sidestep" -> new CategoryLook(theme.color(Tone.SIDESTEP), Pattern.RISING);
             case "gap", "stride" -> new CategoryLook(theme.color(Tone.STRIDE), Pattern.DOTS);

@@ -21,8 +21,16 @@ import troupe.scene.Ability;
  */
 public final class GridOverlays {
     /** The keys of the overlays, in the order of menus. */
-    public static final List<String> KEYS =
-            List.of("layers", "elevation", "region", "class", "clearance", "crossings", "skeleton", "potential");
+    public static final List<String> KEYS = List.of(
+            "layers",
+            "elevation",
+            "region",
+            "class",
+            "clearance",
+            "crossings",
+            OpeningSteps.KEY,
+            "skeleton",
+            "potential");
 
     private static final List<String> KINDS = IntStream.rangeClosed(Kind.ABSENT, Kind.FORBIDDEN)
             .mapToObj(kind -> Kind.word((byte) kind))
@@ -91,6 +99,7 @@ public final class GridOverlays {
             case "class" -> kinds();
             case "clearance" -> clearance();
             case "crossings" -> crossings();
+            case OpeningSteps.KEY -> opening();
             case "skeleton" -> nf2 == null ? List.of() : skeleton(nf2);
             case "potential" -> nf2 == null ? List.of() : potential(nf2);
             default ->
@@ -138,6 +147,11 @@ public final class GridOverlays {
     /** Returns the crossings. */
     public List<Overlay> crossings() {
         return fields("crossings", q -> q >= region.spanCount(), region::kind, new Overlay.Categories(KINDS));
+    }
+
+    /** Returns the steps of the opening that finds what can be vaulted; none for an actor that does not vault. */
+    public List<Overlay> opening() {
+        return new OpeningSteps(region, storeys, q -> layer[q]).overlays();
     }
 
     /** Returns the clearance of the spans. */

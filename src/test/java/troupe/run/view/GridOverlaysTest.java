@@ -14,6 +14,7 @@ import troupe.grid.field.Nf2;
 import troupe.grid.region.Region;
 import troupe.grid.region.RegionBuilder;
 import troupe.grid.region.ground.Kind;
+import troupe.scene.Ability;
 import troupe.scene.Actor;
 import troupe.scene.Journey;
 import troupe.scene.Obstacle;
@@ -52,6 +53,26 @@ class GridOverlaysTest {
         Overlay.Field upper = field(built.overlays.elevation(), 1, 2);
         assertEquals(2.8, at(upper, 3, 1), 1e-6);
         assertEquals(0, at(field(built.overlays.elevation(), 0, 2), 3, 1));
+    }
+
+    /** Two obstacles as high as can be vaulted: the reach is 1 m, so the disc of 0.5 m fits into the block alone. */
+    @Test
+    void theOpeningTakesAwayWhatIsThin() {
+        Built built = build(box("fence", 2, 0, 2.3, 4, 0, 0.9), box("block", 3.4, 1.8, 6, 4, 0, 0.9));
+        Overlay.Field steps = field(built.overlays.opening(), 0, 1);
+        assertEquals(List.of("core", "regrown", "thin", "vault"), ((Overlay.Categories) steps.scale()).words());
+        assertTrue(Double.isNaN(at(steps, 1, 2)), "the floor is not barred");
+        assertEquals(3, at(steps, 2.15, 2), "the fence is vaulted");
+        assertEquals(0, at(steps, 4.7, 3), "the middle of the block is left by the erosion");
+        assertEquals(1, at(steps, 3.45, 3), "its edge comes back");
+    }
+
+    @Test
+    void withoutVaultingThereIsNoOpening() {
+        Actor walker = Actor.standard("anna").without(Set.of(Ability.VAULT));
+        Scene scene = new Scene("", new World(6, 4, 0.1), List.of(), List.of(), List.of(walker), List.of());
+        RegionBuilder builder = new RegionBuilder(scene, walker);
+        assertEquals(List.of(), new GridOverlays(builder.region(), builder.layers()).opening());
     }
 
     @Test
