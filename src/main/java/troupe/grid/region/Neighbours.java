@@ -1,6 +1,5 @@
 package troupe.grid.region;
 
-import java.util.Arrays;
 import java.util.Locale;
 import troupe.grid.GridFrame;
 import troupe.grid.GridLimitException;
@@ -13,8 +12,11 @@ import troupe.scene.Actor;
 
 /** Finds the legal neighbours of configurations that have some on other sheets or crossings near. */
 final class Neighbours {
+    private static final long[] NO_SHEETS = {};
+
     private final GridFrame frame;
     private final Spans spans;
+    private final int[] columnAt;
     private final Crossings crossings;
     private final Words words;
     private final Joints joints;
@@ -30,6 +32,7 @@ final class Neighbours {
     Neighbours(Actor actor, Spans spans, Crossings crossings, Words words) {
         this.frame = spans.frame();
         this.spans = spans;
+        this.columnAt = spans.columnAt();
         this.crossings = crossings;
         this.words = words;
         this.joints = new Joints(actor, spans, words);
@@ -59,72 +62,90 @@ final class Neighbours {
      */
     void markNear(Window window) {
         Window around = window.grown(1, frame);
-        int[] numbers = new int[64];
-        int count = 0;
         int[] start = new int[spans.levels() + 1];
         for (int row = around.row0(); row < around.row0() + around.rows(); row++) {
             int from = frame.index(around.col0(), row);
             int end = crossings.first(from + around.cols());
             for (int i = crossings.first(from); i < end; i++) {
-                if (count == numbers.length) {
-                    numbers = Arrays.copyOf(numbers, 2 * count);
-                }
-                numbers[count++] = i;
                 start[crossings.level(i) + 1]++;
             }
         }
         for (int level = 0; level < spans.levels(); level++) {
             start[level + 1] += start[level];
         }
-        int[] cells = new int[count];
+        int[] cells = new int[start[spans.levels()]];
         int[] next = start.clone();
-        for (int n = 0; n < count; n++) {
-            cells[next[crossings.level(numbers[n])]++] = crossings.cell(numbers[n]);
+        for (int row = around.row0(); row < around.row0() + around.rows(); row++) {
+            int from = frame.index(around.col0(), row);
+            int end = crossings.first(from + around.cols());
+            for (int i = crossings.first(from); i < end; i++) {
+                cells[next[crossings.level(i)]++] = crossings.cell(i);
+            }
         }
         for (int level = 0; level < spans.levels(); level++) {
             if (start[level] < start[level + 1]) {
-                markNear(window, Arrays.copyOfRange(cells, start[level], start[level + 1]), spans.elevation(level));
+                markNear(window, cells, start[level], start[level + 1], sheetsNear(spans.elevation(level)));
             }
         }
     }
 
-    /** Marks what is near crossings of one elevation, which lie over ascending cells. */
-    private void markNear(Window window, int[] over, double elevation) {
+    /** Returns for each column a bit set, in longs of their own, of its sheets within a step of an elevation. */
+    private long[][] sheetsNear(double elevation) {
+        long[][] near = new long[spans.columns()][];
+        int sheets = spans.sheets();
+        for (int column = 0; column < near.length; column++) {
+            near[column] = NO_SHEETS;
+            for (int sheet = 0; sheet < sheets && spans.level(column, sheet) >= 0; sheet++) {
+                if (Math.abs(spans.floor(column, sheet) - elevation) <= stepHeight + Column.SAME) {
+                    near[column] = near[column] == NO_SHEETS ? new long[(sheets >> 6) + 1] : near[column];
+                    near[column][sheet >> 6] |= 1L << sheet;
+                }
+            }
+        }
+        return near;
+    }
+
+    /** Marks what is near crossings of one elevation, which lie over the ascending cells from {@code first} on. */
+    private void markNear(Window window, int[] cells, int first, int end, long[][] sheets) {
         int left = frame.cols();
         int right = 0;
-        for (int cell : over) {
-            int col = frame.col(cell);
+        for (int i = first; i < end; i++) {
+            int col = frame.col(cells[i]);
             left = Math.min(left, col);
             right = Math.max(right, col);
         }
-        int bottom = frame.row(over[0]);
+        int bottom = frame.row(cells[first]);
         int wide = right - left + 5;
-        byte[] mask = new byte[wide * (frame.row(over[over.length - 1]) - bottom + 5)];
-        for (int cell : over) {
-            int row = frame.row(cell);
-            mask[(row - bottom + 2) * wide + cell - row * frame.cols() - left + 2] = 1;
+        byte[] mask = new byte[wide * (frame.row(cells[end - 1]) - bottom + 5)];
+        for (int i = first; i < end; i++) {
+            int row = frame.row(cells[i]);
+            mask[(row - bottom + 2) * wide + cells[i] - row * frame.cols() - left + 2] = 1;
         }
         Window box = new Window(left - 1, bottom - 1, wide - 2, mask.length / wide - 2).common(window);
         for (int row = box.row0(); row < box.row0() + box.rows(); row++) {
             int at = (row - bottom + 2) * wide + box.col0() - left + 2;
             int cell = frame.index(box.col0(), row);
-            for (int end = cell + box.cols(); cell < end; cell++, at++) {
-                int beside = mask[at - 1] | mask[at + 1] | mask[at - wide] | mask[at + wide];
-                int across = mask[at - wide - 1] | mask[at - wide + 1] | mask[at + wide - 1] | mask[at + wide + 1];
-                if ((beside | across) != 0) {
-                    mark(cell, elevation);
+            int before = mask[at - 1] | mask[at - 1 - wide] | mask[at - 1 + wide];
+            int here = mask[at] | mask[at - wide] | mask[at + wide];
+            for (int last = cell + box.cols(); cell < last; cell++, at++) {
+                int after = mask[at + 1] | mask[at + 1 - wide] | mask[at + 1 + wide];
+                if ((before | mask[at - wide] | mask[at + wide] | after) != 0) {
+                    mark(cell, sheets[columnAt[cell]]);
                 }
+                before = here;
+                here = after;
             }
         }
     }
 
-    private void mark(int cell, double elevation) {
-        for (int q = cell; q < spanCount; q += frame.size()) {
-            int word = words.get(q);
-            if ((word & Words.STANDING) != 0
-                    && (word & Words.SPECIAL) == 0
-                    && Math.abs(spans.floor(q) - elevation) <= stepHeight + Column.SAME) {
-                words.set(q, word | Words.SPECIAL);
+    private void mark(int cell, long[] sheets) {
+        for (int k = 0; k < sheets.length; k++) {
+            for (long rest = sheets[k]; rest != 0; rest &= rest - 1) {
+                int q = cell + ((k << 6) + Long.numberOfTrailingZeros(rest)) * frame.size();
+                int word = words.get(q);
+                if ((word & Words.STANDING) != 0 && (word & Words.SPECIAL) == 0) {
+                    words.set(q, word | Words.SPECIAL);
+                }
             }
         }
     }
@@ -135,16 +156,23 @@ final class Neighbours {
 
     /** Finds the legal neighbours of an open configuration, ascending by direction, then id. */
     int of(int q, int cell, int[] targets, int[] directions) {
-        return q < spanCount ? ofSpan(q, cell, targets, directions) : ofCrossing(q, cell, targets, directions);
+        return of(q, cell, GridFrame.DIRECTIONS, targets, directions);
     }
 
-    private int ofSpan(int q, int cell, int[] targets, int[] directions) {
+    /** Finds the legal neighbours of an open configuration in the first {@code limit} directions. */
+    int of(int q, int cell, int limit, int[] targets, int[] directions) {
+        return q < spanCount
+                ? ofSpan(q, cell, limit, targets, directions)
+                : ofCrossing(q, cell, limit, targets, directions);
+    }
+
+    private int ofSpan(int q, int cell, int limit, int[] targets, int[] directions) {
         int word = words.get(q);
         if ((word & Words.STANDING) == 0) {
             return 0;
         }
         int count = 0;
-        for (int d = 0; d < GridFrame.DIRECTIONS; d++) {
+        for (int d = 0; d < limit; d++) {
             int to = cell + offsets[d];
             int target = q + offsets[d];
             if ((word & Words.ELSEWHERE) != 0) {
@@ -170,15 +198,15 @@ final class Neighbours {
      * Finds the neighbours of a crossing. One of the same level and kind is joined to all that this one is joined to,
      * so a diagonal past it is bridged on that side.
      */
-    private int ofCrossing(int q, int cell, int[] targets, int[] directions) {
+    private int ofCrossing(int q, int cell, int limit, int[] targets, int[] directions) {
         int level = crossings.level(q - spanCount);
         byte kind = crossings.kind(q - spanCount);
         int count = 0;
         int same = 0;
-        for (int d = 0; d < GridFrame.DIRECTIONS; d++) {
+        for (int d = 0; d < limit; d++) {
             int to = cell + offsets[d];
             int open = d < 4 ? 0 : (1 << d - 4 | 1 << (d - 3 & 3)) & ~same;
-            int column = spans.columnAt()[to];
+            int column = columnAt[to];
             for (int sheet = 0; sheet < spans.sheets() && spans.level(column, sheet) >= 0; sheet++) {
                 int target = sheet * frame.size() + to;
                 if (near(spans.floor(column, sheet), q - spanCount)
@@ -218,10 +246,9 @@ final class Neighbours {
 
     /** Tells whether steps lead in some straight directions to spans on the same floor: what joins the one joins them. */
     private boolean isEven(int q, int cell, int straight) {
-        int[] at = spans.columnAt();
         boolean even = (words.get(q) >> Words.MOVES & straight) == straight;
         for (int d = 0; even && d < 4; d++) {
-            even = (straight >> d & 1) == 0 || at[cell + offsets[d]] == at[cell];
+            even = (straight >> d & 1) == 0 || columnAt[cell + offsets[d]] == columnAt[cell];
         }
         return even;
     }

@@ -39,7 +39,6 @@ public final class Reach {
         return reach;
     }
 
-    /** Floods from an open configuration until one of some others is found; returns whether one was. */
     /**
      * Floods a region from a configuration until another one is reached: if it is, what is held may be a part of all that
      * can be reached, and every part of it reaches the other one; else it is all. Cost O(reached).
@@ -59,6 +58,7 @@ public final class Reach {
         return reach;
     }
 
+    /** Floods from an open configuration until one of some others is found; returns whether one was. */
     private boolean flood(int start, BitSet others) {
         int[] queue = new int[256];
         int[] targets = new int[Region.MAX_NEIGHBOURS];
@@ -74,7 +74,6 @@ public final class Reach {
                 if (count + GridFrame.DIRECTIONS > queue.length) {
                     queue = Arrays.copyOf(queue, 2 * queue.length);
                 }
-                // a legal diagonal goes with two straight steps to either side, so these reach as much
                 for (int rest = region.moves(queue[head]) & STRAIGHT; rest != 0; rest &= rest - 1) {
                     int to = queue[head] + offsets[Integer.numberOfTrailingZeros(rest)];
                     if (!reached.get(to)) {
@@ -84,7 +83,7 @@ public final class Reach {
                 }
                 continue;
             }
-            int n = region.neighbours(queue[head], targets, directions);
+            int n = region.beside(queue[head], targets, directions);
             if (count + n > queue.length) {
                 queue = Arrays.copyOf(queue, 2 * queue.length + n);
             }

@@ -100,10 +100,9 @@ public final class Region implements StepRelation {
         if (structure.crosses()) {
             CrossingFinder finder = new CrossingFinder(structure, movables, words);
             finder.findAll(!relaxed);
-            if (relaxed) {
-                finder.add(new WidestVaults(structure, words).find());
-            }
-            crossings = new Crossings(frame.size(), finder.found());
+            long[] found = finder.found();
+            crossings = new Crossings(
+                    frame.size(), relaxed ? Crossings.merged(found, new WidestVaults(structure, words).find()) : found);
         }
         new Moves(spans, words, new Joints(structure.actor(), spans, words)).compute(whole);
         Neighbours neighbours = new Neighbours(structure.actor(), spans, crossings, words);
@@ -350,6 +349,14 @@ public final class Region implements StepRelation {
             }
         }
         return count;
+    }
+
+    /**
+     * Finds the legal neighbours that share an edge with a configuration's cell, each time anew. A legal diagonal goes
+     * with two straight steps to either side, so these reach as much as all neighbours do.
+     */
+    int beside(int q, int[] targets, int[] directions) {
+        return source.neighbours().of(q, cell(q), GridFrame.DIRECTIONS / 2, targets, directions);
     }
 
     /**

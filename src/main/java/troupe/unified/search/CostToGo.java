@@ -51,7 +51,6 @@ final class CostToGo implements Expander {
     private final BestFirst search;
     private final long[] toGo;
     private final int[] stamps;
-    private final short[] local;
     private final int[] offsets;
     private final boolean relaxed;
     private final long[] standing;
@@ -90,7 +89,6 @@ final class CostToGo implements Expander {
         this.open = memory.open();
         toGo = memory.toGo;
         stamps = memory.stamps;
-        local = memory.local;
         offsets = memory.offsets;
         relaxed = memory.relaxed;
         standing = costs.cheapestTable(relaxed && costs.has(Ability.VAULT));
@@ -204,8 +202,9 @@ final class CostToGo implements Expander {
         }
         int arrival = stamps[item] - isOpen;
         stamps[item] = isSettled;
-        if ((local[item] & FieldMemory.PLAIN) != 0) {
-            expandPlain(item, arrival);
+        int here = memory.local(item);
+        if ((here & FieldMemory.PLAIN) != 0) {
+            expandPlain(item, here, arrival);
         } else {
             expandLinked(item);
         }
@@ -216,10 +215,8 @@ final class CostToGo implements Expander {
      * Expands a place whose legal steps all lie on its own sheet. It leaves out the neighbours that the
      * place it was reached from reaches more cheaply by itself: on a way of least cost they never follow.
      */
-    private void expandPlain(int to, int arrival) {
-        short[] local = this.local;
+    private void expandPlain(int to, int here, int arrival) {
         int[] stamps = this.stamps;
-        int here = local[to];
         int cell = to < cells ? to : to % cells;
         int row = cell / cols;
         int col = cell - row * cols;
@@ -231,7 +228,7 @@ final class CostToGo implements Expander {
             int from = to + offsets[direction];
             int stamp = stamps[from];
             if (stamp != isSettled) {
-                int common = calm ? abilities : abilities & local[from] >> FieldMemory.ABILITIES;
+                int common = calm ? abilities : abilities & memory.abilities(from);
                 long next = cost + standing[common << 1 | direction >> 2];
                 if (next < JourneyCosts.BLOCKED && (stamp < isOpen || next < toGo[from])) {
                     stamps[from] = isOpen + (calm ? direction : ANY);
@@ -260,10 +257,7 @@ final class CostToGo implements Expander {
             return false;
         }
         int beneath = region.standing(region.cell(configuration), region.elevation(configuration));
-        return beneath >= 0
-                && (local[beneath] & FieldMemory.IDLE) != 0
-                && stamps[beneath] >= isOpen
-                && toGo[beneath] <= cost;
+        return beneath >= 0 && memory.isIdle(beneath) && stamps[beneath] >= isOpen && toGo[beneath] <= cost;
     }
 
     private void reach(int configuration, long cost) {

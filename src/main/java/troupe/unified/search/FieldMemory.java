@@ -10,7 +10,8 @@ import troupe.search.BucketQueue;
 
 /**
  * Holds the memory of searches for the cost to go over one region, about 14 bytes per configuration; a generation
- * stamp takes the place of clearing. One search at a time owns it. Used by one thread at a time.
+ * stamp takes the place of clearing, and what a step needs to know of a place is found when first asked for. One search
+ * at a time owns it. Used by one thread at a time.
  */
 final class FieldMemory {
     /** How many stamps a generation has. */
@@ -25,7 +26,7 @@ final class FieldMemory {
     /** The greatest generation. */
     static final int LAST_GENERATION = (Integer.MAX_VALUE >> 4) - 1;
 
-    /** Bits of {@link #local} above the eight of the legal steps: no other steps need to be looked at. */
+    /** Bits of {@link #local(int)} above the eight of the legal steps: no other steps need to be looked at. */
     static final int PLAIN = 1 << 8;
 
     /** All eight steps are legal, and the place and its neighbours allow the same abilities. */
@@ -34,8 +35,14 @@ final class FieldMemory {
     /** The first of the bits that tell the standing abilities. */
     static final int ABILITIES = 10;
 
-    /** A vault over the place promises no more than walking there, see {@link #findIdle}. */
-    static final int IDLE = 1 << 12;
+    /** A vault over the place promises no more than walking there, see {@link #found}. */
+    private static final int IDLE = 1 << 12;
+
+    /** What the place knows without its neighbours' {@link #IDLE} has been found. */
+    private static final int BEGUN = 1 << 13;
+
+    /** All has been found. */
+    private static final int FOUND = 1 << 14;
 
     private static final int STANDING = Ability.WALK.bit() | Ability.SIDESTEP.bit();
 
@@ -48,8 +55,12 @@ final class FieldMemory {
     /** The generation times {@link #STAMPS}, plus {@link #SETTLED}, the direction it was reached in, or {@link #ANY}. */
     final int[] stamps;
 
-    /** What a step from each configuration needs to know: the legal steps, {@link #PLAIN}, {@link #CALM}, abilities. */
-    final short[] local;
+    private final short[] local;
+    private final int spans;
+    private final int[] columns;
+
+    /** The cells beside crossings that are gaps; null where there are no vaults to be found idle. */
+    private final BitSet gaps;
 
     final int[] targets = new int[Region.MAX_NEIGHBOURS];
     final int[] directions = new int[Region.MAX_NEIGHBOURS];
@@ -70,63 +81,86 @@ final class FieldMemory {
         toGo = new long[region.size()];
         stamps = new int[region.size()];
         local = new short[region.size()];
-        for (int q = 0; q < region.spanCount(); q++) {
-            int abilities = region.abilities(q);
-            if (abilities != 0) {
-                local[q] = (short) (region.moves(q) | abilities << ABILITIES | (region.plain(q) ? PLAIN : 0));
-            }
-        }
-        for (int q = 0; q < region.spanCount(); q++) {
-            if ((local[q] & (255 | PLAIN)) == (255 | PLAIN) && isAlike(q)) {
-                local[q] |= CALM;
-            }
-        }
-        if (relaxed && region.size() > region.spanCount()) {
-            findIdle();
-        }
+        spans = region.spanCount();
+        columns = region.spans().columnAt();
+        gaps = relaxed && region.size() > spans ? besideGaps() : null;
     }
 
-    /**
-     * Finds where no vault of the widest region needs to be looked at. Over a place that is calm, stable, open to
-     * walking and among nine equal columns, a vault that promises no less than walking there is idle: all that it
-     * is joined to can walk there as well, at no more cost. So a place that has only such ones around goes on as if
-     * there were no vaults: each of them would be reached from it at no less than the place beneath is.
-     */
-    private void findIdle() {
-        int spans = region.spanCount();
-        int[] columns = region.spans().columnAt();
-        for (int q = 0; q < spans; q++) {
-            if ((local[q] & 255) == 255 && region.takesOff(q) && isEven(q, columns) && isAlike(q)) {
-                local[q] |= IDLE;
-            }
-        }
-        BitSet gaps = new BitSet(spans);
+    private BitSet besideGaps() {
+        BitSet beside = new BitSet(region.frame().size());
         for (int q = spans; q < region.size(); q++) {
             if (region.kind(q) == Kind.GAP) {
-                int cell = region.cell(q);
-                for (int d = 0; d < GridFrame.DIRECTIONS; d++) {
-                    gaps.set(cell + offsets[d]);
+                for (int offset : offsets) {
+                    beside.set(region.cell(q) + offset);
                 }
             }
         }
-        for (int q = 0; q < spans; q++) {
-            if ((local[q] & (IDLE | PLAIN)) == IDLE && !gaps.get(region.cell(q)) && hasAround(q, IDLE)) {
-                local[q] |= PLAIN | CALM;
+        return beside;
+    }
+
+    /** Returns what a step from a configuration needs to know: the legal steps, {@link #PLAIN}, {@link #CALM}, abilities. */
+    int local(int q) {
+        int known = local[q];
+        return (known & FOUND) != 0 ? known : found(q);
+    }
+
+    /** Returns the standing abilities of a span. */
+    int abilities(int q) {
+        int known = local[q];
+        return known != 0 ? known >> ABILITIES & STANDING : region.abilities(q);
+    }
+
+    /**
+     * Tells whether a vault of the widest region over a place need not be looked at. Over a place that is calm, stable,
+     * open to walking and among nine equal columns, a vault that promises no less than walking there is idle: all that it
+     * is joined to can walk there as well, at no more cost.
+     */
+    boolean isIdle(int q) {
+        return (begun(q) & IDLE) != 0;
+    }
+
+    /**
+     * Finds all of a place. One that has only idle vaults around goes on as if there were no vaults: each of them would
+     * be reached from it at no less than the place beneath is.
+     */
+    private int found(int q) {
+        int known = begun(q) | FOUND;
+        if ((known & (IDLE | PLAIN)) == IDLE && !gaps.get(region.cell(q)) && hasIdleAround(q)) {
+            known |= PLAIN | CALM;
+        }
+        local[q] = (short) known;
+        return known;
+    }
+
+    private int begun(int q) {
+        int known = local[q];
+        if (known != 0) {
+            return known;
+        }
+        int abilities = q < spans ? region.abilities(q) : 0;
+        known = BEGUN;
+        if (abilities != 0) {
+            known |= region.moves(q) | abilities << ABILITIES | (region.plain(q) ? PLAIN : 0);
+            if ((known & 255) == 255 && isAlike(q, abilities)) {
+                known |= (known & PLAIN) != 0 ? CALM : 0;
+                known |= gaps != null && region.takesOff(q) && isEven(q) ? IDLE : 0;
             }
         }
+        local[q] = (short) known;
+        return known;
     }
 
     /** Tells whether the neighbours of a place that has all eight on its sheet allow the same abilities. */
-    private boolean isAlike(int q) {
+    private boolean isAlike(int q, int abilities) {
         boolean alike = true;
         for (int d = 0; alike && d < GridFrame.DIRECTIONS; d++) {
-            alike = (local[q + offsets[d]] >> ABILITIES & STANDING) == (local[q] >> ABILITIES & STANDING);
+            alike = region.abilities(q + offsets[d]) == abilities;
         }
         return alike;
     }
 
     /** Tells whether the nine columns around a place are the same. */
-    private boolean isEven(int q, int[] columns) {
+    private boolean isEven(int q) {
         int cell = region.cell(q);
         boolean even = true;
         for (int d = 0; even && d < GridFrame.DIRECTIONS; d++) {
@@ -135,10 +169,10 @@ final class FieldMemory {
         return even;
     }
 
-    private boolean hasAround(int q, int bit) {
+    private boolean hasIdleAround(int q) {
         boolean all = true;
         for (int d = 0; all && d < GridFrame.DIRECTIONS; d++) {
-            all = (local[q + offsets[d]] & bit) != 0;
+            all = isIdle(q + offsets[d]);
         }
         return all;
     }

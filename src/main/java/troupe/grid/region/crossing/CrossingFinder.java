@@ -58,13 +58,6 @@ public final class CrossingFinder {
         return Crossings.sorted(found, count);
     }
 
-    /** Adds crossings that were found otherwise. */
-    public void add(long[] keys) {
-        found = Arrays.copyOf(found, count + keys.length);
-        System.arraycopy(keys, 0, found, count, keys.length);
-        count += keys.length;
-    }
-
     /** Finds all gaps and, unless they are found otherwise, all vaults. */
     public void findAll(boolean vaults) {
         Window whole = new Window(0, 0, frame.cols(), frame.rows());

@@ -121,6 +121,21 @@ public final class Crossings {
         return -1;
     }
 
+    /** Returns the keys of two ascending lists that share none, ascending. */
+    public static long[] merged(long[] some, long[] others) {
+        long[] merged = new long[some.length + others.length];
+        int next = 0;
+        int count = 0;
+        for (long key : others) {
+            while (next < some.length && some[next] < key) {
+                merged[count++] = some[next++];
+            }
+            merged[count++] = key;
+        }
+        System.arraycopy(some, next, merged, count, some.length - next);
+        return merged;
+    }
+
     /** Returns the distinct keys of a list in ascending order. */
     public static long[] sorted(long[] keys, int count) {
         long[] sorted = Arrays.copyOf(keys, count);
