@@ -87,8 +87,7 @@ final class StudioWindow {
             session.setLive(false);
         }
         pages = new Pages(this, settings, eventThread);
-        recovery =
-                new Recovery(session, new KeptFiles(settings.recoveryFolder()), eventThread, look.theme(), this::offer);
+        recovery = new Recovery(session, new KeptFiles(settings.recoveryFolder()), eventThread, look.theme(), asking());
         frame.setTransferHandler(new SceneDrop(pages::open));
         tour = new TourGuide(frame, session, settings);
         tour.among(this::look, this::canvas, this::commands);
@@ -112,8 +111,18 @@ final class StudioWindow {
         recovery.look(known);
     }
 
-    private void offer(Recovery.Offer offer) {
-        RecoveryQuestion.ask(this, recovery, offer);
+    private Recovery.Asking asking() {
+        return new Recovery.Asking() {
+            @Override
+            public void ask(Recovery.Offer offer) {
+                RecoveryQuestion.ask(StudioWindow.this, recovery, offer);
+            }
+
+            @Override
+            public void ask(Recovery.RunOffer offer) {
+                RecoveryQuestion.ask(StudioWindow.this, recovery, offer);
+            }
+        };
     }
 
     /** Returns the frame. */

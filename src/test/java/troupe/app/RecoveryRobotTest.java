@@ -21,8 +21,16 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import troupe.app.document.SceneDocument;
+import troupe.run.Run;
+import troupe.run.RunComparison;
+import troupe.run.Simulation;
+import troupe.run.file.RunException;
+import troupe.run.file.RunFile;
+import troupe.run.file.RunJournal;
 import troupe.scene.Scene;
 import troupe.scene.xml.SceneXml;
+import troupe.work.KilledRuns;
+import troupe.work.Tasks;
 
 /** Kills a studio while a person works in it, and opens another one. */
 class RecoveryRobotTest extends RobotTest {
@@ -122,6 +130,74 @@ class RecoveryRobotTest extends RobotTest {
         Await.until("saved", () -> !document().isUnsaved());
         assertEquals(edited, SceneXml.read(file).scene());
         Await.until("nothing is kept", () -> kept().isEmpty());
+    }
+
+    private static Run read(Path journal) {
+        try {
+            return RunFile.read(journal);
+        } catch (RunException | IOException e) {
+            return null; // not begun yet
+        }
+    }
+
+    private List<Path> journals() {
+        Path recovery = folder.resolve("recovery");
+        if (!Files.isDirectory(recovery)) {
+            return List.of();
+        }
+        try (Stream<Path> files = Files.list(recovery)) {
+            return files.filter(f -> f.getFileName().toString().endsWith(".journal"))
+                    .toList();
+        } catch (IOException e) {
+            throw new AssertionError(e);
+        }
+    }
+
+    /** Kills a studio of its own while it simulates a crowd; returns how many frames it had kept for sure. */
+    private int simulateAndKill(Path crowd) throws Exception {
+        Process child = new ProcessBuilder(
+                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                        "-cp",
+                        String.join(java.io.File.pathSeparator, classes(Studio.class), classes(DoomedStudio.class)),
+                        DoomedStudio.class.getName(),
+                        crowd.toString(),
+                        folder.resolve("recovery").toString())
+                .redirectError(ProcessBuilder.Redirect.INHERIT)
+                .start();
+        int[] frames = {0};
+        try {
+            Await.until("some frames are kept", () -> {
+                for (Path journal : journals()) {
+                    Run run = read(journal);
+                    frames[0] = run == null ? 0 : run.frames().count();
+                }
+                return frames[0] >= 50;
+            });
+        } finally {
+            child.destroyForcibly();
+        }
+        assertTrue(child.waitFor(30, TimeUnit.SECONDS));
+        return frames[0];
+    }
+
+    @Test
+    void theSimulationOfAKilledStudioIsShownAsFarAsItWasKept() throws Exception {
+        Path crowd = folder.resolve("crowd.xml");
+        SceneXml.write(KilledRuns.scene(300, 7200), crowd);
+        int frames = simulateAndKill(crowd);
+        studio = new StudioFixture(folder, file, Map.of());
+        Await.until("it is offered", () -> studio.shows("recovery.run.restore"));
+        studio.click("recovery.run.restore");
+        Await.until("shown", () -> OnEventThread.get(() -> studio.session().run())
+                .filter(RunJournal::recovered)
+                .isPresent());
+        Run run = OnEventThread.get(() -> studio.session().run()).orElseThrow();
+        assertTrue(run.frames().count() >= frames, run.frames().count() + " of " + frames);
+        Simulation again = (Simulation) Tasks.start(run.scene(), run.task());
+        again.step(frames);
+        assertEquals(Optional.empty(), RunComparison.firstDifference(again.run().frames(), run.frames(), frames));
+        OnEventThread.run(() -> studio.window().dispose());
+        Await.until("nothing is kept", () -> journals().isEmpty());
     }
 
     @Test

@@ -31,13 +31,18 @@ import troupe.scene.World;
 public final class KilledRuns {
     private KilledRuns() {}
 
-    /** Returns a crowd that has nowhere near enough time to arrive. */
     private static Scene scene() {
-        Polygon spawn = new Polygon(new double[] {1, 9, 9, 1}, new double[] {1, 1, 9, 9});
-        CrowdGroup.Members members = new CrowdGroup.Members(40, spawn, OptionalDouble.empty(), 0.2, 0.02);
-        CrowdGroup group = CrowdGroup.of("all", Place.of(38, 5), members);
-        Crowd crowd = Crowd.of("go", List.of(group)).lasting(1200);
-        return new Scene("", new World(40, 10, 0.2), List.of(), List.of(), List.of(), List.of(crowd));
+        return scene(40, 1200);
+    }
+
+    /** Returns a crowd that has nowhere near enough time to arrive. */
+    public static Scene scene(int people, double seconds) {
+        double side = people / 5.0;
+        Polygon spawn = Polygon.rectangle(1, 1, 1 + side, 9);
+        CrowdGroup.Members members = new CrowdGroup.Members(people, spawn, OptionalDouble.empty(), 0.2, 0.02);
+        CrowdGroup group = CrowdGroup.of("all", Place.of(30 + side, 5), members);
+        Crowd crowd = Crowd.of("go", List.of(group)).lasting(seconds);
+        return new Scene("", new World(32 + side, 10, 0.2), List.of(), List.of(), List.of(), List.of(crowd));
     }
 
     /** Simulates without end; after each slice that was kept it prints the number of frames kept. */

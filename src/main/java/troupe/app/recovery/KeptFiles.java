@@ -18,12 +18,14 @@ import java.util.stream.Stream;
 /**
  * Names the files in which unsaved edits are kept, and finds those that a process left behind which is gone:
  * {@code .NAME.PROCESS.troupe} beside the file {@code NAME}, or {@code .PROCESS.troupe} in a folder of the person's
- * for a document without a file. Its methods run on any thread but the event thread.
+ * for a document without a file; {@code .PROCESS.run.journal} there for what is simulated. Its methods run on any thread but the event thread.
  *
  * @param folder where documents without a file are kept
  */
 public record KeptFiles(Path folder) {
     private static final String ENDING = ".troupe";
+    private static final String JOURNAL = ".journal";
+    private static final Pattern RUN = Pattern.compile("\\.([0-9]+)\\.run(?:\\.[0-9]+)?\\.journal");
     private static final Pattern NAME = Pattern.compile("\\.(?:(.+)\\.)?([0-9]+)\\.troupe");
 
     /**
@@ -76,6 +78,38 @@ public record KeptFiles(Path folder) {
                 list(folder).stream().filter(left -> left.file().isEmpty()).toList());
     }
 
+    /** Returns the run beside which this process keeps the journal of what it simulates. */
+    public Path run() {
+        return folder.resolve("." + ProcessHandle.current().pid() + ".run");
+    }
+
+    /**
+     * Returns the journals of simulations that were left behind, the newest first.
+     *
+     * @throws IOException if the folder is there and cannot be listed
+     */
+    public List<Left> leftRuns() throws IOException {
+        List<Left> found = new ArrayList<>();
+        for (Path file : files(folder, JOURNAL)) {
+            Matcher parts = RUN.matcher(file.getFileName().toString());
+            Instant time = parts.matches() ? Files.getLastModifiedTime(file).toInstant() : Instant.EPOCH;
+            if (parts.matches() && !belongsToSomebody(parts.group(1), time)) {
+                found.add(new Left(Optional.empty(), file, time));
+            }
+        }
+        return sorted(found);
+    }
+
+    private static List<Path> files(Path in, String ending) throws IOException {
+        if (in == null || !Files.isDirectory(in)) {
+            return List.of();
+        }
+        try (Stream<Path> all = Files.list(in)) {
+            return all.filter(f -> f.getFileName().toString().endsWith(ending) && Files.isRegularFile(f))
+                    .toList();
+        }
+    }
+
     private static List<Left> sorted(List<Left> found) {
         return found.stream()
                 .sorted(Comparator.comparing(Left::time).reversed().thenComparing(left -> left.kept()
@@ -85,16 +119,9 @@ public record KeptFiles(Path folder) {
 
     private static List<Left> list(Path in) throws IOException {
         List<Left> found = new ArrayList<>();
-        if (in == null || !Files.isDirectory(in)) {
-            return found;
-        }
-        List<Path> files;
-        try (Stream<Path> all = Files.list(in)) {
-            files = all.filter(f -> f.getFileName().toString().endsWith(ENDING)).toList();
-        }
-        for (Path file : files) {
+        for (Path file : files(in, ENDING)) {
             Matcher parts = NAME.matcher(file.getFileName().toString());
-            if (parts.matches() && Files.isRegularFile(file)) {
+            if (parts.matches()) {
                 Instant time = Files.getLastModifiedTime(file).toInstant();
                 if (!belongsToSomebody(parts.group(2), time)) {
                     found.add(new Left(Optional.ofNullable(parts.group(1)).map(in::resolve), file, time));

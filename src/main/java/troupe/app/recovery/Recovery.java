@@ -7,7 +7,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Executor;
-import java.util.function.Consumer;
 import troupe.app.document.EventThread;
 import troupe.app.document.SceneDocument;
 import troupe.app.look.Failures;
@@ -16,11 +15,12 @@ import troupe.app.session.SceneFiles;
 import troupe.app.session.Session;
 import troupe.app.start.ScenePictures;
 import troupe.paint.Theme;
+import troupe.run.Run;
 import troupe.scene.Scene;
 import troupe.scene.xml.SceneException;
 
 /**
- * Keeps a session's unsaved edits, and offers those that were left behind: of every document known when the studio
+ * Keeps a session's unsaved edits and what it simulates, and offers those that were left behind: of every document known when the studio
  * starts, of a document when it is opened. Belongs to the event thread.
  */
 public final class Recovery implements AutoCloseable {
@@ -37,29 +37,46 @@ public final class Recovery implements AutoCloseable {
      */
     public record Offer(KeptFiles.Left left, Scene base, Scene scene, BufferedImage picture) {}
 
+    /**
+     * A simulation that can be shown again as far as it had come.
+     *
+     * @param left where it was kept
+     */
+    public record RunOffer(KeptFiles.Left left, Run run) {}
+
+    /** Asks the person what is to become of what was found. */
+    public interface Asking {
+
+        /** Asks about edits; answers with one of {@link #bringBack} and {@link #discard}, or with neither. */
+        void ask(Offer offer);
+
+        /** Asks about a simulation; answers as about edits. */
+        void ask(RunOffer offer);
+    }
+
     private final Session session;
     private final KeptFiles kept;
     private final Executor eventThread;
     private final Autosave autosave;
-    private final Consumer<Offer> ask;
+    private final RunKeeping runs;
+    private final Asking asking;
     private final Theme theme;
     private final Runnable leave;
     private boolean bringing;
 
     /**
-     * Keeps a session's edits from now on.
+     * Keeps a session's edits and simulations from now on.
      *
-     * @param ask asks the person what is to become of edits that were found, and answers with one of
-     *     {@link #bringBack} and {@link #discard}, or with neither
      * @param theme in which the pictures of what is offered are painted
      */
-    public Recovery(Session session, KeptFiles kept, Executor eventThread, Theme theme, Consumer<Offer> ask) {
+    public Recovery(Session session, KeptFiles kept, Executor eventThread, Theme theme, Asking asking) {
         this.session = session;
         this.kept = kept;
         this.eventThread = eventThread;
         this.theme = theme;
-        this.ask = ask;
+        this.asking = asking;
         this.autosave = new Autosave(session.document(), session.files(), kept, this::tell);
+        this.runs = new RunKeeping(session, kept, eventThread, this::tell);
         this.leave = session.document().listeners().add(this::changed);
     }
 
@@ -69,7 +86,10 @@ public final class Recovery implements AutoCloseable {
         }
     }
 
-    /** Looks for edits of these documents, and of those without a file, and asks about the newest. */
+    /**
+     * Looks for edits of these documents, and of those without a file, and asks about the newest; then for simulations
+     * that were cut off, and asks about the newest.
+     */
     public void look(List<Path> documents) {
         look(documents, true);
     }
@@ -84,6 +104,9 @@ public final class Recovery implements AutoCloseable {
                     found.addAll(kept.leftUnnamed());
                 }
                 offer(found, files);
+                if (unnamed) {
+                    runs.left().ifPresent(offer -> eventThread.execute(() -> asking.ask(offer)));
+                }
             } catch (IOException e) {
                 tell(e);
             }
@@ -95,7 +118,7 @@ public final class Recovery implements AutoCloseable {
         for (KeptFiles.Left left : found) {
             Optional<Offer> offer = read(left, files);
             if (offer.isPresent()) {
-                eventThread.execute(() -> ask.accept(offer.get()));
+                eventThread.execute(() -> asking.ask(offer.get()));
                 return;
             }
         }
@@ -144,6 +167,16 @@ public final class Recovery implements AutoCloseable {
         autosave.remove(offer.left().kept());
     }
 
+    /** Shows a simulation as a saved run, in place of the document; then tells {@code shown}. */
+    public void bringBack(RunOffer offer, Runnable shown) {
+        runs.bringBack(offer.left().kept(), shown);
+    }
+
+    /** Gives a simulation up. */
+    public void discard(RunOffer offer) {
+        runs.remove(offer.left().kept());
+    }
+
     private void tell(IOException e) {
         eventThread.execute(() -> session.notices().tell(new Notice(true, Failures.line(e))));
     }
@@ -153,5 +186,6 @@ public final class Recovery implements AutoCloseable {
     public void close() {
         leave.run();
         autosave.close();
+        runs.close();
     }
 }

@@ -21,6 +21,7 @@ import troupe.run.Simulation;
 import troupe.run.frame.FrameLayout;
 import troupe.run.frame.FrameRecorder;
 import troupe.run.frame.Frames;
+import troupe.run.frame.PartedFrames;
 import troupe.scene.Task;
 import troupe.scene.setting.Settings;
 import troupe.scene.xml.SceneXml;
@@ -36,7 +37,9 @@ import troupe.search.Outcome;
  */
 public final class RunJournal implements Closeable {
     private static final long SECOND = 1_000_000_000;
-    private static final int MOST = 100;
+    /** How many journals may lie beside one target. */
+    public static final int MOST = 100;
+
     private static final String ENDING = ".journal";
 
     private final Path target;
@@ -47,6 +50,7 @@ public final class RunJournal implements Closeable {
     private int block = 1;
     private int frames;
     private int inputs;
+    private long bytes;
     private long keptAt;
     private long forcedAt;
 
@@ -66,7 +70,7 @@ public final class RunJournal implements Closeable {
     public static List<Path> beside(Path target) {
         List<Path> found = new ArrayList<>();
         for (int k = 0; k < MOST; k++) {
-            Path file = name(target.toAbsolutePath(), k);
+            Path file = file(target.toAbsolutePath(), k);
             if (Files.isRegularFile(file)) {
                 found.add(file);
             }
@@ -79,8 +83,14 @@ public final class RunJournal implements Closeable {
         return Boolean.TRUE.equals(run.report().values().get(JournalReader.RECOVERED));
     }
 
-    private static Path name(Path target, int number) {
+    /** Returns the journal of a target with a number from 0 to {@link #MOST} - 1; of several the first free is taken. */
+    public static Path file(Path target, int number) {
         return target.resolveSibling(target.getFileName() + (number == 0 ? "" : "." + number) + ENDING);
+    }
+
+    /** Returns how large the journal is, in bytes. */
+    public long bytes() {
+        return bytes;
     }
 
     /** Returns the number of frames kept so far. */
@@ -164,7 +174,7 @@ public final class RunJournal implements Closeable {
     private void open() throws IOException {
         for (int k = 0; k < MOST; k++) {
             try {
-                Path free = name(target, k);
+                Path free = file(target, k);
                 channel = FileChannel.open(free, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
                 file = free;
                 return;
@@ -188,6 +198,12 @@ public final class RunJournal implements Closeable {
     private byte[] content(Frames all, int first, int end) {
         byte[] bytes = new byte[4 + (end - first) * layout.bytes()];
         ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN).putInt(first);
+        if (all instanceof PartedFrames parted && parted.channels().equals(layout.channels())) {
+            // the same layout in the same parts: nothing has to be taken apart
+            byte[] part = parted.part(first / block);
+            System.arraycopy(part, first % block * layout.bytes(), bytes, 4, bytes.length - 4);
+            return bytes;
+        }
         for (int frame = first; frame < end; frame++) {
             layout.copy(all, frame, bytes, 4 + (frame - first) * layout.bytes());
         }
@@ -200,7 +216,7 @@ public final class RunJournal implements Closeable {
 
     private void write(ByteBuffer bytes) throws IOException {
         while (bytes.hasRemaining()) {
-            channel.write(bytes);
+            this.bytes += channel.write(bytes);
         }
     }
 
