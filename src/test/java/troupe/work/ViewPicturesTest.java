@@ -41,20 +41,19 @@ import troupe.work.view.MomentViews;
 class ViewPicturesTest {
     private static final int WIDTH = 220;
     private static final int HEIGHT = 160;
-    private static final Scenario JOURNEY =
-            new Scenario("unified/courtyard", "to-the-fountain", new Box(0, 0, 18, 13), 8.2, 0);
+    static final Scenario JOURNEY = new Scenario("unified/courtyard", "to-the-fountain", new Box(0, 0, 18, 13), 8.2, 0);
     private static final Scenario CRATE =
             new Scenario("unified/courtyard", "to-the-fountain", new Box(5.5, 5.5, 12.5, 10.5), 8.2, 0);
-    private static final Scenario ENCOUNTER = new Scenario("risk/crossing", "cross", new Box(1, 2, 7.5, 9.5), 2.2, 1);
-    private static final Scenario CROWD = new Scenario("crowd/fork", "fork", new Box(4.5, 12.5, 15.5, 20.5), 14, 0);
-    private static final Set<String> LINED = Set.of("potential-lines");
+    static final Scenario ENCOUNTER = new Scenario("risk/crossing", "cross", new Box(1, 2, 7.5, 9.5), 2.2, 1);
+    static final Scenario CROWD = new Scenario("crowd/fork", "fork", new Box(4.5, 12.5, 15.5, 20.5), 14, 0);
+    static final Set<String> LINED = Set.of("potential-lines");
     private static final Map<String, Shown> MADE = new HashMap<>();
 
     /** A task of a sample scene, the part of it that is looked at, the moment, and how far ahead avatars are expected. */
-    private record Scenario(String scene, String task, Box part, double time, double ahead) {}
+    record Scenario(String scene, String task, Box part, double time, double ahead) {}
 
     /** What a task gave. */
-    private record Shown(Scene scene, Run run, List<Overlay> overlays) {}
+    record Shown(Scene scene, Run run, List<Overlay> overlays) {}
 
     /** How a picture is spoiled. */
     private enum Spoiled {
@@ -65,7 +64,7 @@ class ViewPicturesTest {
     }
 
     /** One view in one theme. */
-    private record Case(Scenario scenario, String key, Theme theme) {
+    record Case(Scenario scenario, String key, Theme theme) {
         @Override
         public String toString() {
             return "view-" + key + "-" + theme.key();
@@ -87,7 +86,7 @@ class ViewPicturesTest {
         return Stream.of(Theme.values()).map(theme -> new Case(scenario, key, theme));
     }
 
-    private static Shown shown(Scenario scenario) throws SceneException, IOException {
+    static Shown shown(Scenario scenario) throws SceneException, IOException {
         Shown made = MADE.get(scenario.scene());
         if (made == null) {
             made = make(scenario);
@@ -118,7 +117,7 @@ class ViewPicturesTest {
         return new Shown(scene, run, overlays);
     }
 
-    private static String view(String key) {
+    static String view(String key) {
         return switch (key) {
             case "potential-lines" -> "potential";
             case "expected-ways" -> MomentViews.EXPECTED;
