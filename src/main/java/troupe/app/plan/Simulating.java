@@ -6,13 +6,14 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
 import troupe.run.Run;
 import troupe.run.Simulation;
+import troupe.run.frame.FrameLayout;
 import troupe.search.Outcome;
 
 /**
  * Works a simulation on a background thread while its run is shown, and lets a person take part. Left alone it
  * runs ahead as far as there is. What the person does takes effect at the step that is shown: what was simulated
- * after it is dropped, the values given before it stay, and a fresh engine is brought to that step, which makes
- * the same frames again. The farther it is ahead of what is shown, the less often it tells, and the more it leaves a
+ * after it is dropped, the values given before it stay, and another engine is brought to that step, which makes
+ * the same frames again: the {@link Understudy}, if it stands before that step, or a fresh one. The farther it is ahead of what is shown, the less often it tells, and the more it leaves a
  * small machine to the painting. Used by one thread at a time, but for {@link #steering()}.
  */
 final class Simulating {
@@ -26,11 +27,18 @@ final class Simulating {
     /** With so few processors, a simulation far ahead of what is played leaves room for the painting. */
     private static final boolean NARROW = Runtime.getRuntime().availableProcessors() <= 2;
 
+    /** No understudy follows a run with more bytes of frames than this: it would hold them a second time. */
+    private static final long MOST_BYTES = 1L << 28;
+
     private static final long SHORT_SLICE_NANOS = TimeUnit.MILLISECONDS.toNanos(4);
     private static final long REST_MS = 8;
 
     private final Supplier<Simulation> fresh;
-    private final Steering steering = new Steering();
+    private final Steering steering = new Steering(this::follow);
+    private final Understudy understudy;
+    /** The inputs of the run since it has ended, null before: then there is something for the understudy to follow. */
+    private volatile List<Run.Input> ended;
+
     private Simulation engine;
     private double[] stepMillis = new double[1_024];
     private volatile boolean working;
@@ -54,6 +62,7 @@ final class Simulating {
     Simulating(Simulation engine, Supplier<Simulation> fresh) {
         this.fresh = fresh;
         this.engine = engine;
+        this.understudy = new Understudy(fresh);
     }
 
     /** Returns what the person wants. */
@@ -72,10 +81,26 @@ final class Simulating {
      */
     boolean work(Watcher watcher) throws InterruptedException {
         working = true;
+        ended = null;
         try {
-            return loop(watcher);
+            boolean wanted = loop(watcher);
+            Run run = engine.run();
+            ended = wanted && bytes(run) <= MOST_BYTES ? run.inputs() : null;
+            return wanted;
         } finally {
             working = false;
+        }
+    }
+
+    private static long bytes(Run run) {
+        return (long) run.frames().count() * new FrameLayout(run.frames().channels()).bytes();
+    }
+
+    /** Sends the understudy to a step that is shown. */
+    private void follow(long step) {
+        List<Run.Input> inputs = ended;
+        if (inputs != null && !working) {
+            understudy.follow(step, inputs);
         }
     }
 
@@ -157,8 +182,9 @@ final class Simulating {
         List<Run.Input> kept = engine.run().inputs().stream()
                 .filter(input -> input.step() < step)
                 .toList();
-        engine = fresh.get();
-        kept.forEach(engine::give);
+        engine = understudy.take(step, kept).orElseGet(fresh);
+        long done = engine.progress().work();
+        kept.stream().filter(input -> input.step() >= done).forEach(engine::give);
         while (engine.progress().work() < step
                 && engine.outcome().isRunning()
                 && !watcher.isObsolete()

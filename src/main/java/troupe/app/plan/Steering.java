@@ -3,6 +3,7 @@ package troupe.app.plan;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.concurrent.TimeUnit;
+import java.util.function.LongConsumer;
 
 /**
  * Holds what a person wants of a simulation: a step to go back to, values to set, and how far it may run ahead
@@ -18,6 +19,7 @@ final class Steering {
 
     private static final long MOVING_NANOS = TimeUnit.MILLISECONDS.toNanos(150);
 
+    private final LongConsumer paced;
     private final Map<String, Double> wanted = new LinkedHashMap<>();
     private long back = NONE;
     private long limit = NONE;
@@ -26,6 +28,11 @@ final class Steering {
 
     /** What was asked for since the last time: the step to go back to, or {@link #NONE}, and the values to set then. */
     record Orders(long back, Map<String, Double> values) {}
+
+    /** Makes what a person wants; {@code paced} is told each step that is shown, on the thread that tells it. */
+    Steering(LongConsumer paced) {
+        this.paced = paced;
+    }
 
     /** Takes hold at a step: what was simulated from it on is dropped, and the simulation stays near what is shown. */
     synchronized void grab(long step) {
@@ -41,7 +48,12 @@ final class Steering {
     }
 
     /** Takes the step that is shown, which the simulation follows while something is held. */
-    synchronized void pace(long step) {
+    void pace(long step) {
+        show(step);
+        paced.accept(step);
+    }
+
+    private synchronized void show(long step) {
         if (step != shown) {
             shown = step;
             movedAt = System.nanoTime();

@@ -6,10 +6,16 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.Random;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
+import troupe.app.Await;
 import troupe.app.Scenes;
 import troupe.run.Run;
+import troupe.run.RunComparison;
 import troupe.search.Outcome;
 
 class SimulatingTest {
@@ -110,6 +116,58 @@ class SimulatingTest {
         simulating.work(watcher(run -> {}));
         assertEquals(List.of(), last().inputs());
         assertEquals(100, x(last(), 99));
+    }
+
+    private static void steer(Simulating one, long step, double speed) {
+        one.steering().grab(step);
+        one.steering().set("speed", speed);
+        one.steering().release();
+    }
+
+    @Test
+    void whoeverSteersWhereItIsShownGoesOnWithTheUnderstudy() throws InterruptedException {
+        List<Walkers> made = new CopyOnWriteArrayList<>();
+        Simulating one = new Simulating(fresh(), () -> {
+            made.add(fresh());
+            return made.get(made.size() - 1);
+        });
+        one.work(watcher(run -> {}));
+        steer(one, 30, 2);
+        one.work(watcher(run -> {}));
+        assertEquals(1, made.size());
+        one.steering().pace(80);
+        Await.until(
+                "the understudy is there",
+                () -> made.size() == 2 && made.get(1).progress().work() == 80);
+        steer(one, 81, 3);
+        one.work(watcher(run -> {}));
+        assertEquals(2, made.size(), "it was simulated from the beginning");
+        assertEquals(List.of(new Run.Input(30, "speed", 2), new Run.Input(81, "speed", 3)), last().inputs());
+        assertEquals(100, last().frames().count());
+        // 30 steps of 1, 51 of 2, 19 of 3
+        assertEquals(30 + 102 + 57, x(last(), 99));
+    }
+
+    @Test
+    void anUnderstudyNeverChangesWhatComesOfSteering() throws InterruptedException {
+        long seed = Long.getLong("seed", 11);
+        Random random = new Random(seed);
+        for (int round = 0; round < 60; round++) {
+            simulating.work(watcher(run -> {}));
+            for (int k = random.nextInt(4); k > 0; k--) {
+                simulating.steering().pace(random.nextInt(100));
+                LockSupport.parkNanos(random.nextInt(200_000));
+            }
+            steer(simulating, random.nextInt(100), random.nextInt(9));
+            simulating.work(watcher(run -> {}));
+            Walkers again = fresh();
+            last().inputs().forEach(again::give);
+            again.step(100);
+            assertEquals(
+                    Optional.empty(),
+                    RunComparison.firstDifference(again.run().frames(), last().frames(), 100),
+                    "round " + round + " seed " + seed);
+        }
     }
 
     @Test
