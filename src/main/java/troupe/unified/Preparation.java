@@ -71,10 +71,22 @@ final class Preparation {
         });
         start = Standpoint.at(region, scene, journey.start(), "start");
         if (!movables.isEmpty() && start.configuration() >= 0 && !isPublished()) {
-            times.measure(StageTimes.SEARCH, () -> around = Optional.of(flooded()));
+            times.measure(StageTimes.SEARCH, () -> {
+                around = Optional.of(flooded());
+                lookAhead();
+            });
         }
         times.measure(StageTimes.REGION, () -> widest = movables.isEmpty() ? region : builder.widest());
         goal = Standpoint.at(widest, scene, journey.goal(), "goal");
+    }
+
+    /** Uses the time in which another thread builds the widest region: for regions that trigger points may ask for. */
+    private void lookAhead() {
+        for (Movable movable : movables) {
+            if (builder.isBuildingWidest()) {
+                region.without(movable.number());
+            }
+        }
     }
 
     private Reach flooded() {

@@ -2,6 +2,7 @@ package troupe.grid.region;
 
 import java.util.Arrays;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicReferenceArray;
 import troupe.geometry.Polygon;
 import troupe.grid.GridFrame;
 import troupe.grid.Window;
@@ -59,6 +60,7 @@ public final class Region implements StepRelation {
     private final int[] offsets;
     private final TargetBand[] bands;
     private final TargetBand.Source source;
+    private final AtomicReferenceArray<Region> without;
 
     /** Builds the region of a structure with movable obstacles where they stand; null where one is not there. */
     Region(Structure structure, Solid[] movables) {
@@ -84,6 +86,7 @@ public final class Region implements StepRelation {
         this.crossings = parts.crossings();
         this.bands = parts.bands();
         this.clearance = new Clearance(structure, movables);
+        this.without = new AtomicReferenceArray<>(movables.length);
         this.source = TargetBand.Source.of(words, crossings, parts.neighbours(), frame, spanCount);
     }
 
@@ -159,7 +162,8 @@ public final class Region implements StepRelation {
     }
 
     /**
-     * Returns the region in which some movable obstacles are not there, and everything else is as here.
+     * Returns the region in which some movable obstacles are not there, and everything else is as here. That without a
+     * single one is kept, because a search asks for it again.
      *
      * @param obstacles their indices among the obstacles of the scene
      * @throws IllegalArgumentException if there is no movable obstacle of such an index
@@ -170,7 +174,17 @@ public final class Region implements StepRelation {
             structure.movable(obstacle);
             changed[obstacle] = null;
         }
-        return Arrays.equals(changed, movables) ? this : moved(changed);
+        if (Arrays.equals(changed, movables)) {
+            return this;
+        }
+        return obstacles.length == 1 ? withoutOne(obstacles[0], changed) : moved(changed);
+    }
+
+    private Region withoutOne(int obstacle, Solid[] changed) {
+        if (without.get(obstacle) == null) {
+            without.compareAndSet(obstacle, null, moved(changed));
+        }
+        return without.get(obstacle);
     }
 
     /** Tells where a movable obstacle at an outline would bar walking. */

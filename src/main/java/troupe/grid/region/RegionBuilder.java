@@ -82,6 +82,11 @@ public final class RegionBuilder {
         }
     }
 
+    /** Tells whether another thread is building {@link #widest} now, so that it would be waited for. */
+    public boolean isBuildingWidest() {
+        return begun != null && !begun.isDone();
+    }
+
     /** Tells whether the actor can move something that the scene has to be moved. */
     private boolean isWidened() {
         return actor.move().isPresent() && scene.obstacles().stream().anyMatch(Obstacle::movable);

@@ -28,7 +28,6 @@ public final class SearchSpace {
     private final List<MoveAttempt> attempts = new ArrayList<>();
     private final List<Enclosure> enclosures = new ArrayList<>();
     private final TriggerTable[] triggers;
-    private final Region[] without;
     private long expanded;
     private long generated;
 
@@ -66,7 +65,6 @@ public final class SearchSpace {
         this.chains = chains;
         this.legal = new LegalSteps(region, costs);
         this.triggers = new TriggerTable[movables.size()];
-        this.without = new Region[movables.size()];
     }
 
     /** Returns the space in which one more obstacle has been moved. */
@@ -131,12 +129,9 @@ public final class SearchSpace {
         return before;
     }
 
-    /** Returns the region without one movable obstacle; built when first asked for. */
+    /** Returns the region without one movable obstacle. */
     Region without(int movable) {
-        if (without[movable] == null) {
-            without[movable] = region.without(movables.get(movable).number());
-        }
-        return without[movable];
+        return region.without(movables.get(movable).number());
     }
 
     /**
