@@ -3,6 +3,7 @@ package troupe.crowd;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.ForkJoinPool;
+import java.util.function.Predicate;
 import troupe.crowd.flock.Agents;
 import troupe.crowd.flock.Flock;
 import troupe.crowd.flock.Kin;
@@ -13,6 +14,7 @@ import troupe.grid.GridLimitException;
 import troupe.run.Inputs;
 import troupe.run.Run;
 import troupe.run.Simulation;
+import troupe.run.view.Aspect;
 import troupe.run.view.Overlay;
 import troupe.scene.Crowd;
 import troupe.scene.CrowdGroup;
@@ -40,6 +42,7 @@ public final class CrowdEngine implements Simulation {
     private Ground ground;
     private Flock flock;
     private Splitting splitting;
+    private CrowdViews views;
     private Outcome outcome = Outcome.RUNNING;
     private long steps;
 
@@ -106,6 +109,7 @@ public final class CrowdEngine implements Simulation {
                     return;
                 }
             }
+            views = new CrowdViews(scene, kin, ground);
             splitting = new Splitting(crowd, kin, ground, agents, world);
             flock = new Flock(crowd, kin, agents, world[0], world[1], sweep);
         } catch (GridLimitException tooMuch) {
@@ -176,7 +180,22 @@ public final class CrowdEngine implements Simulation {
 
     @Override
     public List<Overlay> overlays() {
-        return List.of();
+        return overlays(List.of());
+    }
+
+    @Override
+    public List<Aspect> aspects(List<Integer> chosen) {
+        return views == null ? List.of() : views.aspects();
+    }
+
+    @Override
+    public List<Overlay> overlays(List<Integer> chosen) {
+        return overlays(chosen, key -> true);
+    }
+
+    @Override
+    public List<Overlay> overlays(List<Integer> chosen, Predicate<String> wanted) {
+        return views == null ? List.of() : views.overlays(chosen, wanted);
     }
 
     /** Returns the state of the agents as it is now; not to be changed. */

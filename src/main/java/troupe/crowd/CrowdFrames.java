@@ -1,6 +1,7 @@
 package troupe.crowd;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import troupe.crowd.flock.Agents;
 import troupe.crowd.flock.Kin;
@@ -11,10 +12,20 @@ import troupe.scene.Crowd;
 
 /**
  * Records a frame for each step: for each group with members the channels x, y, z, heading and state, as wide as it
- * has members. Places are recorded exactly, elevation and heading in single precision.
+ * has members. Places are recorded exactly, elevation and heading in single precision. In a pack the directions in
+ * which agents try to go change from step to step; what is recorded follows them as a body can turn, {@value #TURN} of
+ * the rest in each step. The agents themselves know nothing of it.
  */
 final class CrowdFrames {
+    /** The share of what is left to turn that is shown in a step, and the most: 180 degrees a second. */
+    private static final double TURN = 0.15;
+
+    private static final double MOST_TURN = Math.PI * Crowd.STEP_SECONDS;
+
     private final Agents agents;
+    /** The heading shown of each agent in radians; NaN before the first frame. */
+    private final double[] shown;
+
     private final FrameRecorder recorder;
     private final double[] values;
     private final List<Kin.Leaf> leaves;
@@ -34,6 +45,8 @@ final class CrowdFrames {
         }
         recorder = new FrameRecorder(1 / Crowd.STEP_SECONDS, channels);
         values = new double[recorder.slots()];
+        shown = new double[agents.count];
+        Arrays.fill(shown, Double.NaN);
     }
 
     /** Adds a frame of the agents as they are. */
@@ -47,12 +60,29 @@ final class CrowdFrames {
                 values[at + m] = agents.x[i];
                 values[at + count + m] = agents.y[i];
                 values[at + 2 * count + m] = agents.z[i];
-                values[at + 3 * count + m] = Bearing.of(agents.headingX[i], agents.headingY[i]);
+                values[at + 3 * count + m] = turned(i);
                 values[at + 4 * count + m] = agents.state[i];
             }
             at += 5 * count;
         }
         recorder.append(values);
+    }
+
+    /** Turns what is shown of an agent towards where it heads; returns the angle in [-pi, pi]. */
+    private double turned(int i) {
+        double heading = Bearing.of(agents.headingX[i], agents.headingY[i]);
+        if (Double.isNaN(shown[i])) {
+            shown[i] = heading;
+        } else {
+            double turn = TURN * wrapped(heading - shown[i]);
+            shown[i] = wrapped(shown[i] + Math.max(-MOST_TURN, Math.min(MOST_TURN, turn)));
+        }
+        return shown[i];
+    }
+
+    /** Returns an angle between -2 pi and 2 pi brought into [-pi, pi]. */
+    private static double wrapped(double angle) {
+        return angle > Math.PI ? angle - 2 * Math.PI : angle < -Math.PI ? angle + 2 * Math.PI : angle;
     }
 
     /** Returns the frames so far. */

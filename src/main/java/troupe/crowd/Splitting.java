@@ -14,8 +14,8 @@ import troupe.scene.Crowd;
  * Renews the potentials of a crowd that may split: every {@value #PERIOD} steps each takes in how crowded and slow the
  * places are. {@code tree}: every group with members has a potential of its own in which its own members do not count,
  * so that it stays together, and takes another way than its siblings where that is faster; they are renewed in turn.
- * {@code free}: one for each goal, in which all count, and everybody chooses alone. Not in the paper, which names it as
- * future work.
+ * {@code free}: one for each goal, in which all count, and everybody chooses alone. The work for each is spread over the
+ * steps until the turn of the next. Not in the paper, which names it as future work.
  */
 final class Splitting {
     private static final int PERIOD = 50;
@@ -23,6 +23,8 @@ final class Splitting {
     private final List<Branch> branches = new ArrayList<>();
     private final List<Detours> detours = new ArrayList<>();
     private final Crowding crowding;
+    /** The number of the branch whose potential was begun last, -1 before the first. */
+    private int turn = -1;
 
     /** A way that is renewed, the group that does not count in it (-1: all do), and its scratch. */
     private record Branch(Way way, int but, Detours detours) {}
@@ -58,17 +60,31 @@ final class Splitting {
         return made;
     }
 
-    /** Renews the potentials whose turn it is in a step; tells whether there were any. */
+    /** Goes on with the potential whose turn it is in a step; tells whether one was set. */
     boolean renew(long step) {
         int n = branches.size();
         boolean any = false;
+        int at = (int) (step % PERIOD);
         for (int k = 0; k < n; k++) {
-            if (step % PERIOD == (long) k * PERIOD / n) {
-                Branch branch = branches.get(k);
-                branch.way().set(branch.detours().find(branch.way().goal(), crowding.measure(branch.but())));
-                any = true;
+            int from = k * PERIOD / n;
+            int to = Math.max(from + 1, (k + 1) * PERIOD / n);
+            turn = at == from ? k : turn;
+            if (turn == k && at < to) {
+                any |= goOn(branches.get(k), at == from, at == to - 1, to - from);
             }
         }
         return any;
+    }
+
+    private boolean goOn(Branch branch, boolean first, boolean last, int steps) {
+        Detours found = branch.detours();
+        if (first) {
+            found.begin(branch.way().goal(), crowding.measure(branch.but()));
+        }
+        found.advance(last ? Long.MAX_VALUE : found.size() / steps + 1);
+        if (last) {
+            branch.way().set(found.found());
+        }
+        return last;
     }
 }

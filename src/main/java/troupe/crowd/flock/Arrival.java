@@ -16,28 +16,18 @@ final class Arrival {
     private static final double PACKING = 0.25;
     /** The same as far out as one settles that is kept out by others. */
     private static final double LOOSE = 0.13;
-    /** How many times as far out, and metres more, one settles at last that has stood long behind others who have settled. */
-    private static final double BEHIND = 1.3;
-
-    private static final double MARGIN = 3;
-
-    private static final int QUEUES = 400;
+    /** Metres of way farther out at which one settles at last. */
+    private static final double MARGIN = 2;
     /** Metres of way from a place at which one gets it. */
     private static final double BEFORE = 4;
-    /** The radii from its place within which one settles that gets no nearer for so many steps. */
+    /** The radii from its place within which one settles that gets no nearer. */
     private static final double BESIDE = 5;
-
-    private static final int BLOCKED = 20;
-    /** Steps for which one gets no nearer that touches others who have settled. */
-    private static final int CROWDED = 50;
-    /** Steps for which one stands, or gets no nearer, until it settles near its goal. */
-    private static final int STANDS = 100;
-
+    /** Steps for which one gets no nearer, two seconds, until it settles beside its place or others who have settled. */
+    private static final int HELD = 50;
+    /** The same, six seconds, for one that has nobody to settle beside, or is still far out. */
     private static final int STALLS = 150;
-    /** The same for one that stands in others' way. */
+    /** The same, 24 seconds, for one that stands where nobody can pass it, or farther out still. */
     private static final int SHUT_IN = 600;
-    /** The same for one kept out by others. */
-    private static final int KEPT_OUT = 200;
 
     private final Agents agents;
     private final Cells cells;
@@ -150,23 +140,19 @@ final class Arrival {
         if (place[i] >= 0 ? distance(i) <= agents.radius[i] : left <= agents.radius[i]) {
             return true;
         }
-        if (place[i] >= 0 && distance(i) <= BESIDE * agents.radius[i] && agents.stalled[i] >= BLOCKED) {
+        int stalled = agents.stalled[i];
+        if (stalled < HELD) {
+            return false;
+        }
+        if (place[i] >= 0 && distance(i) <= BESIDE * agents.radius[i]) {
             return true;
         }
-        return left <= near[i] && settlesNear(k, i)
-                || left <= far[i] && agents.stalled[i] >= KEPT_OUT && !agents.tight[i] && touchesArrived(k, i)
-                || left <= BEHIND * far[i] + MARGIN
-                        && agents.stalled[i] >= QUEUES
-                        && !agents.tight[i]
-                        && touchesArrived(k, i);
-    }
-
-    private boolean settlesNear(int k, int i) {
-        if (agents.stalled[i] >= SHUT_IN) {
-            return true;
+        if (agents.tight[i]) {
+            return stalled >= SHUT_IN && left <= near[i];
         }
-        boolean stuck = agents.still[i] >= STANDS || agents.stalled[i] >= STALLS;
-        return !agents.tight[i] && (stuck || agents.stalled[i] >= CROWDED && touchesArrived(k, i));
+        int patience = left <= near[i] ? HELD : left <= far[i] ? STALLS : SHUT_IN;
+        return left <= near[i] && stalled >= STALLS
+                || left <= far[i] + MARGIN && stalled >= patience && touchesArrived(k, i);
     }
 
     private boolean touchesArrived(int k, int i) {

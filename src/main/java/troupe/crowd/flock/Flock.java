@@ -14,6 +14,12 @@ public final class Flock {
     /** The share of its distance for which an agent keeps to a place that it goes for, before it looks again. */
     private static final double KEPT = 0.2;
 
+    /** Below this share of its top speed an agent counts as standing. */
+    private static final double STANDING = 0.1;
+
+    /** Who has stood longer than so many steps counts as if it had stood so long, once it moves. */
+    private static final int LONG = 2 * Steering.PATIENCE;
+
     private final Agents agents;
     private final Sweep sweep;
     private final Cells cells;
@@ -162,7 +168,8 @@ public final class Flock {
                 continue;
             }
             agents.speed[i] = moved;
-            agents.still[i] = moved < 0.1 * agents.topSpeed[i] ? agents.still[i] + 1 : Math.max(0, agents.still[i] - 2);
+            boolean stands = moved < STANDING * agents.topSpeed[i];
+            agents.still[i] = stands ? agents.still[i] + 1 : Math.max(0, Math.min(LONG, agents.still[i]) - 2);
             agents.yielding[i] = proposals.yielding[k];
             arrival.progress(i);
             agents.state[i] = agents.still[i] >= Steering.PATIENCE ? Agents.WAITING : Agents.WALKING;

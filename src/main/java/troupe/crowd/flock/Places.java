@@ -6,16 +6,23 @@ import troupe.crowd.ground.Way;
 import troupe.grid.GridFrame;
 
 /**
- * Hands out the places around a goal to those who come to it: the nearest to the goal that is free, on the side from
- * which one comes. So the ground fills from the goal outwards, and nobody stands in the way of the next. The places
- * lie on a triangular lattice, {@value #PITCH} radii apart, twice as many as there are agents. One thread at a time.
+ * Hands out the places around a goal to those who come to it: on the side from which one comes, the free one with the
+ * least depth, which is how far it lies before the goal and {@value #SLOPE} of how far aside. So the ground fills from
+ * the goal outwards behind a blunt wedge, each face of which can be seen from before its tip: nobody's place lies behind
+ * others who stand already, as it would behind a half circle. The places lie on a triangular lattice, {@value #PITCH}
+ * radii apart, twice as many as there are agents. One thread at a time.
  */
 public final class Places {
     /** The bodies cover half of the ground. */
     private static final double PITCH = 2.7;
 
+    /** The depth of a place for each metre that it lies aside. */
+    private static final double SLOPE = 0.7;
+
     private final Way way;
     private final int[] spans;
+    private final double[] placeX;
+    private final double[] placeY;
     private final boolean[] taken;
     private int first;
 
@@ -51,24 +58,42 @@ public final class Places {
         Arrays.sort(keys, 0, count);
         spans = Arrays.stream(keys, 0, count).mapToInt(key -> (int) key).toArray();
         taken = new boolean[count];
+        placeX = new double[count];
+        placeY = new double[count];
+        for (int p = 0; p < count; p++) {
+            placeX[p] = terrain.region().x(spans[p]);
+            placeY[p] = terrain.region().y(spans[p]);
+        }
     }
 
-    /** Returns the number of the place that somebody at {@code (x, y)} metres would get, -1 if there is none. */
+    /**
+     * Returns the number of the place that somebody at {@code (x, y)} metres would get, -1 if there is none. Cost
+     * O(places that are not known to be taken).
+     */
     int next(double x, double y) {
         Terrain terrain = way.terrain();
-        double towardsX = x - terrain.region().x(way.goal());
-        double towardsY = y - terrain.region().y(way.goal());
+        double goalX = terrain.region().x(way.goal());
+        double goalY = terrain.region().y(way.goal());
+        double length = Math.max(1e-9, Math.sqrt((x - goalX) * (x - goalX) + (y - goalY) * (y - goalY)));
+        double towardsX = (x - goalX) / length;
+        double towardsY = (y - goalY) / length;
         while (first < taken.length && taken[first]) {
             first++;
         }
+        int best = first < taken.length ? first : -1;
+        double least = Double.POSITIVE_INFINITY;
         for (int p = first; p < spans.length; p++) {
-            double dx = terrain.region().x(spans[p]) - terrain.region().x(way.goal());
-            double dy = terrain.region().y(spans[p]) - terrain.region().y(way.goal());
-            if (!taken[p] && dx * towardsX + dy * towardsY >= 0) {
-                return p;
+            if (!taken[p]) {
+                double along = (placeX[p] - goalX) * towardsX + (placeY[p] - goalY) * towardsY;
+                double across = (placeX[p] - goalX) * towardsY - (placeY[p] - goalY) * towardsX;
+                double depth = along + SLOPE * Math.abs(across);
+                if (along >= -1e-9 && depth < least) {
+                    least = depth;
+                    best = p;
+                }
             }
         }
-        return first < taken.length ? first : -1;
+        return best;
     }
 
     /** Returns the span of a place. */

@@ -18,6 +18,7 @@ import troupe.scene.Journey;
 public final class Way {
     private static final double AHEAD = 4;
     private static final int UNKNOWN = -1;
+    private static final byte UNSEEN = -2;
     private static final double RING = 0.1;
 
     private final Terrain terrain;
@@ -72,9 +73,7 @@ public final class Way {
 
     private void descend() {
         Arrays.fill(towards, UNKNOWN);
-        for (int q = 0; q < next.length; q++) {
-            next[q] = lowest(q);
-        }
+        Arrays.fill(next, UNSEEN);
     }
 
     private byte lowest(int q) {
@@ -150,7 +149,12 @@ public final class Way {
 
     /** Returns the direction of {@link GridFrame} to the lowest neighbour of a span, -1 at the goal. */
     public int next(int q) {
-        return next[q];
+        byte known = next[q];
+        if (known == UNSEEN) {
+            known = lowest(q);
+            next[q] = known;
+        }
+        return known;
     }
 
     /**
@@ -170,9 +174,11 @@ public final class Way {
         int[] chain = new int[most + 1];
         chain[0] = q;
         int steps = 0;
-        while (steps < most && next[chain[steps]] >= 0) {
-            chain[steps + 1] = terrain.after(chain[steps], next[chain[steps]]);
+        int d = next(q);
+        while (steps < most && d >= 0) {
+            chain[steps + 1] = terrain.after(chain[steps], d);
             steps++;
+            d = next(chain[steps]);
         }
         while (steps > 1 && !terrain.sees(q, chain[steps])) {
             steps = steps * 3 / 4;

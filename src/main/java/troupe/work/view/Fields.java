@@ -27,6 +27,7 @@ import troupe.run.view.Aspect;
 import troupe.run.view.GridOverlays;
 import troupe.run.view.Overlay;
 import troupe.scene.Actor;
+import troupe.scene.Crowd;
 import troupe.scene.Journey;
 import troupe.scene.Scene;
 import troupe.scene.Task;
@@ -102,6 +103,8 @@ public final class Fields {
         Fields fields = new Fields(stopped);
         if (task instanceof Journey journey) {
             fields.compute(scene, journey, keys, choices);
+        } else if (task instanceof Crowd) {
+            fields.crowd(scene, taskId, keys, choices);
         }
         return fields;
     }
@@ -127,6 +130,22 @@ public final class Fields {
             proceed();
             if (found.isEmpty()) {
                 missing.add(key + ": nothing to show");
+            }
+            byStorey(found);
+        }
+    }
+
+    /** Lets the engine of a crowd place everybody, and asks it for its views. */
+    private void crowd(Scene scene, String task, List<String> keys, Map<String, Integer> choices)
+            throws InterruptedIOException {
+        Engine engine = Tasks.start(scene, task);
+        Outcome outcome = timed("placing", () -> engine.step(1));
+        choose(engine, choices);
+        for (String key : keys) {
+            List<Overlay> found = timed(key, () -> engine.overlays(chosen, key::equals));
+            if (found.isEmpty()) {
+                boolean none = outcome instanceof Outcome.Infeasible;
+                missing.add(key + ": " + (none ? ((Outcome.Infeasible) outcome).reason() : "nothing to show"));
             }
             byStorey(found);
         }

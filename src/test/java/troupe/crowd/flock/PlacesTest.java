@@ -35,9 +35,10 @@ class PlacesTest {
         for (int k = 0; k < 40; k++) {
             int p = places.next(2, 10);
             assertTrue(terrain.region().x(places.span(p)) <= 10.06, "place " + k);
-            double left = way.potential(places.span(p));
-            assertTrue(left >= last, left + " after " + last);
-            last = left;
+            double along = 10.05 - terrain.region().x(places.span(p));
+            double depth = along + 0.7 * Math.abs(terrain.region().y(places.span(p)) - 10.05);
+            assertTrue(depth >= last - 0.05, depth + " after " + last);
+            last = depth;
             places.take(p);
         }
         assertTrue(terrain.region().x(places.span(places.next(18, 10))) >= 9.94);
