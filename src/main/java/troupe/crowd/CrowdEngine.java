@@ -9,7 +9,6 @@ import troupe.crowd.flock.Flock;
 import troupe.crowd.flock.Kin;
 import troupe.crowd.flock.Sweep;
 import troupe.crowd.ground.Ground;
-import troupe.crowd.ground.Way;
 import troupe.grid.GridLimitException;
 import troupe.run.Inputs;
 import troupe.run.Run;
@@ -17,7 +16,6 @@ import troupe.run.Simulation;
 import troupe.run.view.Aspect;
 import troupe.run.view.Overlay;
 import troupe.scene.Crowd;
-import troupe.scene.CrowdGroup;
 import troupe.scene.Scene;
 import troupe.scene.setting.CrowdSettings;
 import troupe.search.Outcome;
@@ -99,11 +97,9 @@ public final class CrowdEngine implements Simulation {
         try {
             ground = new Ground(scene, crowd);
             double[] world = {scene.world().width(), scene.world().depth()};
-            Spawning spawning =
-                    new Spawning(agents, kin, crowd.seed(), crowd.manner().bodyHeight(), world);
-            int number = 0;
-            for (Kin.Leaf leaf : kin.leaves()) {
-                Optional<String> fault = place(leaf, number++, spawning);
+            Beginning beginning = new Beginning(scene, crowd, kin, agents, ground);
+            for (int number = 0; number < kin.leaves().size(); number++) {
+                Optional<String> fault = beginning.place(number);
                 if (fault.isPresent()) {
                     outcome = new Outcome.Infeasible(fault.get());
                     return;
@@ -115,18 +111,6 @@ public final class CrowdEngine implements Simulation {
         } catch (GridLimitException tooMuch) {
             outcome = new Outcome.Infeasible(tooMuch.getMessage());
         }
-    }
-
-    private Optional<String> place(Kin.Leaf leaf, int number, Spawning spawning) {
-        CrowdGroup.Members members = leaf.members();
-        Optional<Way> way = ground.way(leaf.goal(), members.radius());
-        if (way.isEmpty()) {
-            return Optional.of(Ground.unreachable(leaf.group().id(), leaf.goal(), members.radius()));
-        }
-        for (int m = 0; m < members.count(); m++) {
-            agents.leaf[leaf.first() + m] = number;
-        }
-        return spawning.place(leaf, way.get());
     }
 
     private void takeInputs() {

@@ -12,8 +12,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
-import troupe.crowd.CrowdEngine;
-import troupe.crowd.flock.Sweep;
 import troupe.grid.GridLimitException;
 import troupe.grid.region.Region;
 import troupe.risk.plan.Ground;
@@ -30,7 +28,6 @@ import troupe.scene.check.Problem;
 import troupe.scene.check.SceneChecks;
 import troupe.scene.check.Severity;
 import troupe.scene.xml.SceneSource;
-import troupe.search.Outcome;
 import troupe.unified.manipulation.Movable;
 import troupe.unified.manipulation.Surroundings;
 import troupe.work.view.Fields;
@@ -40,7 +37,7 @@ import troupe.work.view.Fields;
  * grid: a start or a goal that stands in an obstacle, or that no layer carries. A goal under movable obstacles is
  * fine where the actor of the journey may move them. Of an encounter also walls that keep start and goal apart, and
  * as warnings avatars that walk through obstacles or begin where the actor is. Movable obstacles that rest on
- * nothing are warned of. Of a crowd the first group whose goal nobody can stand at, or that has no room to begin.
+ * nothing are warned of. Of a crowd each group whose goal nobody can stand at, that has no room to begin, or no way.
  */
 public final class SceneInspection {
     private final Scene scene;
@@ -174,13 +171,18 @@ public final class SceneInspection {
         }
     }
 
-    /** Reports what keeps a crowd from beginning: a goal where nobody can stand, or a group without room. */
+    /** Reports what keeps each group of a crowd from beginning, and what is odd about where it begins. */
     private void crowd(Crowd crowd) {
-        CrowdEngine engine = new CrowdEngine(scene, crowd, Sweep.alone());
-        if (engine.step(1) instanceof Outcome.Infeasible none) {
-            // the engine names the fault, then after a semicolon the cure
-            String[] parts = none.reason().split("; ", 2);
-            report(crowd, new Fault(parts[0], parts.length > 1 ? parts[1] : ""));
+        try {
+            CrowdInspection inspection = CrowdInspection.of(scene, crowd);
+            inspection.faults().forEach(fault -> report(crowd, fault));
+            int line = lines.getOrDefault(crowd.id(), 0);
+            inspection
+                    .oddities()
+                    .forEach(odd ->
+                            problems.add(new Problem(Severity.WARNING, crowd.id(), line, odd.message(), odd.cure())));
+        } catch (GridLimitException tooMuch) {
+            report(crowd, new Fault(tooMuch.found(), tooMuch.cure()));
         }
     }
 
@@ -258,7 +260,7 @@ public final class SceneInspection {
         problems.add(new Problem(Severity.ERROR, task.id(), line, fault.message(), fault.cure()));
     }
 
-    private static String text(Place place) {
+    static String text(Place place) {
         String xy = "(" + number(place.x()) + ", " + number(place.y());
         return place.z().isPresent() ? xy + ", " + number(place.z().getAsDouble()) + ")" : xy + ")";
     }

@@ -54,15 +54,56 @@ class SceneInspectionTest {
         assertEquals("enlarge it or lower the count", full.cure());
     }
 
+    @Test
+    void namesEveryGroupOfACrowdThatCannotBegin() {
+        Polygon open = Polygon.rectangle(0.2, 0.2, 2, 2.8);
+        Polygon barred = Polygon.rectangle(2.6, 0.3, 3.4, 1.7);
+        List<Problem> found = crowd(
+                CrowdGroup.of("held", Place.of(3, 1), CrowdGroup.Members.of(2, open)),
+                CrowdGroup.of("walled", Place.of(5, 1), CrowdGroup.Members.of(2, barred)),
+                CrowdGroup.of("fine", Place.of(5, 1), CrowdGroup.Members.of(2, open)),
+                CrowdGroup.of("half", Place.of(5, 1), CrowdGroup.Members.of(1, Polygon.rectangle(2, 0.3, 3.4, 1.7))));
+        assertEquals(
+                List.of(
+                        "the goal (3, 1) of 'held' is inside obstacle 'wall'",
+                        "nobody of 'walled' can stand in its spawn outline: obstacle 'wall' is at (2.65, 0.35)",
+                        "less than half of the spawn outline of 'half' is free: obstacle 'wall' is at (2.55, 0.35)"),
+                found.stream().map(Problem::message).toList());
+        assertEquals(Severity.WARNING, found.get(2).severity());
+        assertEquals("move it into the open", found.get(1).cure());
+    }
+
+    @Test
+    void findsWallsBetweenACrowdAndItsGoal() {
+        Scene scene = new Scene(
+                "",
+                new World(6, 3, 0.1),
+                List.of(box("wall", 2.5, 0, 3.5, 3, 0, 2)),
+                List.of(),
+                List.of(),
+                List.of(Crowd.of(
+                        "crowd",
+                        List.of(CrowdGroup.of(
+                                "all",
+                                Place.of(5, 1),
+                                CrowdGroup.Members.of(2, Polygon.rectangle(0.2, 0.2, 2, 2.8)))))));
+        Problem apart = SceneInspection.check(new SceneSource(scene, Map.of())).get(0);
+        assertEquals("walls keep the spawn outline of 'all' and its goal (5, 1) apart", apart.message());
+        assertEquals("leave a gap of at least 0.50 m for them", apart.cure());
+    }
+
     private static List<Problem> crowd(Place goal, int count) {
-        CrowdGroup all = CrowdGroup.of("all", goal, CrowdGroup.Members.of(count, Polygon.rectangle(0.2, 0.2, 2, 2.8)));
+        return crowd(CrowdGroup.of("all", goal, CrowdGroup.Members.of(count, Polygon.rectangle(0.2, 0.2, 2, 2.8))));
+    }
+
+    private static List<Problem> crowd(CrowdGroup... groups) {
         Scene scene = new Scene(
                 "",
                 new World(6, 3, 0.1),
                 List.of(box("wall", 2.5, 0, 3.5, 2, 0, 2)),
                 List.of(),
                 List.of(),
-                List.of(Crowd.of("crowd", List.of(all))));
+                List.of(Crowd.of("crowd", List.of(groups))));
         return SceneInspection.check(new SceneSource(scene, Map.of()));
     }
 
