@@ -25,7 +25,7 @@ import troupe.scene.xml.SceneException;
 /** Compares the legends of all views, and the labels of scenes and ways, with stored pictures; letters are blocks. */
 class TextPicturesTest {
     private static final int WIDTH = 460;
-    private static final int ROW = 34;
+    private static final int ROW = 37;
     private static final int MOST = 440;
 
     private interface Painting {
@@ -47,7 +47,7 @@ class TextPicturesTest {
     private static BufferedImage legends(Theme theme, Theme painted, int shift) throws SceneException, IOException {
         List<ViewPicturesTest.Case> cases =
                 ViewPicturesTest.cases().filter(c -> c.theme() == theme).toList();
-        return image(WIDTH, 2 * ROW * (cases.size() + 2), theme, g -> {
+        return image(WIDTH, ROW * (cases.size() + 2), theme, g -> {
             int y = 4;
             for (ViewPicturesTest.Case one : cases) {
                 List<Overlay> overlays = ViewPicturesTest.shown(one.scenario()).overlays().stream()

@@ -10,6 +10,7 @@ import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.util.List;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 import javax.swing.BorderFactory;
 import javax.swing.SwingUtilities;
@@ -46,11 +47,23 @@ public final class ProblemsSection extends Panel {
     private final transient Diagnosis diagnosis;
     private final transient Consumer<Box> zoom;
     private final Timer later = new Timer(REST_MS, e -> changed());
+    private final transient Function<ProblemsSection, Point> pointing;
     private Point pointer;
 
     /** Makes the list; {@code zoom} shows a part of the scene. */
     public ProblemsSection(Look look, Session session, Diagnosis diagnosis, Consumer<Box> zoom) {
+        this(look, session, diagnosis, zoom, ProblemsSection::pointer);
+    }
+
+    /** Makes the list; {@code pointing} tells where the pointer is in the panel around it, null if it is elsewhere. */
+    ProblemsSection(
+            Look look,
+            Session session,
+            Diagnosis diagnosis,
+            Consumer<Box> zoom,
+            Function<ProblemsSection, Point> pointing) {
         super(look, session, new GridBagLayout());
+        this.pointing = pointing;
         this.diagnosis = diagnosis;
         this.zoom = zoom;
         setName("problems");
@@ -60,10 +73,14 @@ public final class ProblemsSection extends Panel {
         refresh();
     }
 
+    private static Point pointer(ProblemsSection section) {
+        Container panel = SwingUtilities.getAncestorOfClass(InspectorPanel.class, section);
+        return panel == null ? null : panel.getMousePosition(true);
+    }
+
     /** Shows what was found; while the pointer is busy in the panel, once it rests: what it is about to press stays. */
     private void changed() {
-        Container panel = SwingUtilities.getAncestorOfClass(InspectorPanel.class, this);
-        Point now = panel == null ? null : panel.getMousePosition(true);
+        Point now = pointing.apply(this);
         boolean busy = now != null && !now.equals(pointer);
         pointer = now;
         if (busy) {
