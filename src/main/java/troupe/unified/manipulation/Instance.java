@@ -25,7 +25,6 @@ import troupe.search.Outcome;
  * support are ours.
  */
 public final class Instance {
-    private static final int STRAIGHT = 4;
     private static final int UNSUPPORTED = -2;
 
     private final Question question;
@@ -39,7 +38,7 @@ public final class Instance {
     private final int rows;
     private final int homeCol;
     private final int homeRow;
-    private final long[] shiftCosts = new long[GridFrame.DIRECTIONS];
+    private final MoveCosts costs;
     private final double share;
     private PoseTable table;
     private OpenList open = new MinHeap(32);
@@ -67,15 +66,9 @@ public final class Instance {
         rows = frame.rows();
         homeCol = frame.colAt(movable.centroid().x());
         homeRow = frame.rowAt(movable.centroid().y());
-        Prices prices = question.prices();
-        for (int d = 0; d < shiftCosts.length; d++) {
-            shiftCosts[d] = d < STRAIGHT ? prices.straight() : prices.diagonal();
-            if (grip != null) {
-                shiftCosts[d] = Prices.sum(shiftCosts[d], d < STRAIGHT ? prices.walkStraight() : prices.walkDiagonal());
-            }
-        }
-        share = leastShare();
-        exit = new ExitDistance(movable, barred, shiftCosts[0], shiftCosts[STRAIGHT], leastTurn());
+        costs = new MoveCosts(question);
+        share = costs.obstacleShare();
+        exit = new ExitDistance(movable, barred, costs.straight(), costs.diagonal(), costs.leastTurn());
         table = new PoseTable(cols, headings * (grip == null ? 1 : grip.sheets()));
         search = new BestFirst(
                 open,
@@ -173,31 +166,6 @@ public final class Instance {
         return share;
     }
 
-    private double leastShare() {
-        if (grip == null) {
-            return 1;
-        }
-        Prices prices = question.prices();
-        double least = Math.min(
-                share(prices.straight(), prices.walkStraight()), share(prices.diagonal(), prices.walkDiagonal()));
-        for (int k = 0; headings > 1 && k < headings; k++) {
-            least = Math.min(least, share(prices.turn(), turnCost(k) - prices.turn()));
-        }
-        return least;
-    }
-
-    private long leastTurn() {
-        long least = Prices.BLOCKED;
-        for (int k = 0; headings > 1 && k < headings; k++) {
-            least = Math.min(least, turnCost(k));
-        }
-        return least;
-    }
-
-    private static double share(double moving, double walking) {
-        return moving + walking == 0 ? 1 : moving / (moving + walking);
-    }
-
     /**
      * Returns how the obstacle was moved.
      *
@@ -215,47 +183,7 @@ public final class Instance {
             poses.add(new LatticePose(cell % cols - homeCol, cell / cols - homeRow, labels.heading(label)));
         }
         Collections.reverse(poses);
-        Travel travel = new Travel();
-        for (int n = 1; n < poses.size(); n++) {
-            travel.add(poses.get(n - 1), poses.get(n));
-        }
-        return new Transfer(
-                movable.number(),
-                grip != null,
-                question.trigger(),
-                labels.stand(reached),
-                poses,
-                travel.length(travel.straight, travel.diagonal),
-                travel.turned * movable.turn(),
-                grip == null ? 0 : travel.length(travel.walkedStraight, travel.walkedDiagonal));
-    }
-
-    /** Counts moves, so that sums of their lengths do not drift. */
-    private final class Travel {
-        private int straight;
-        private int diagonal;
-        private int turned;
-        private int walkedStraight;
-        private int walkedDiagonal;
-
-        void add(LatticePose a, LatticePose b) {
-            if (a.k() != b.k()) {
-                int lower = (a.k() + 1) % headings == b.k() ? a.k() : b.k();
-                turned++;
-                walkedStraight += grip == null ? 0 : grip.straightSteps(lower);
-                walkedDiagonal += grip == null ? 0 : grip.diagonalSteps(lower);
-            } else if (a.i() != b.i() && a.j() != b.j()) {
-                diagonal++;
-                walkedDiagonal++;
-            } else {
-                straight++;
-                walkedStraight++;
-            }
-        }
-
-        double length(int straightSteps, int diagonalSteps) {
-            return (straightSteps + diagonalSteps * Math.sqrt(2)) * movable.cell();
-        }
+        return new Travel(movable, grip).along(poses, question.trigger(), labels.stand(reached));
     }
 
     private void requireFound() {
@@ -343,7 +271,7 @@ public final class Instance {
         if (stand < 0) {
             return;
         }
-        long cost = Prices.sum(labels.cost(label), shiftCosts[direction]);
+        long cost = Prices.sum(labels.cost(label), costs.shift(direction));
         int slot = table.slot(col, row, state(k, stand));
         int known = table.get(slot);
         if (isBetter(known, cost)
@@ -360,7 +288,7 @@ public final class Instance {
         if (stand < 0) {
             return;
         }
-        long cost = Prices.sum(labels.cost(label), turnCost(counterClockwise ? from : k));
+        long cost = Prices.sum(labels.cost(label), costs.turn(counterClockwise ? from : k));
         int slot = table.slot(col, row, state(k, stand));
         int known = table.get(slot);
         if (isBetter(known, cost)
@@ -369,17 +297,6 @@ public final class Instance {
                 && isSupported(known, slot, col, row, k)) {
             take(known, slot, label, col, row, k, stand, cost);
         }
-    }
-
-    /** Returns the cost of the turn between heading {@code lower} and the next. */
-    private long turnCost(int lower) {
-        Prices prices = question.prices();
-        if (grip == null) {
-            return prices.turn();
-        }
-        long straight = Prices.times(grip.straightSteps(lower), prices.walkStraight());
-        long diagonal = Prices.times(grip.diagonalSteps(lower), prices.walkDiagonal());
-        return Prices.sum(prices.turn(), Prices.sum(straight, diagonal));
     }
 
     private int state(int k, int stand) {

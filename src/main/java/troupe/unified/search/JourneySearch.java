@@ -49,19 +49,7 @@ public final class JourneySearch implements Expander {
     private final int[] found;
     private final boolean monotone;
 
-    /** What the label that the search waits for needs. */
-    private enum Need {
-        NOTHING,
-        COST_TO_GO,
-        TURN
-    }
-
-    private Need need = Need.NOTHING;
-    private int waiting = LabelPool.NONE;
-    private long waitingKey;
-    private CostToGo asked;
-    private Turn turn;
-    private Enclosure enclosing;
+    private final Awaited awaited = new Awaited();
     private int reached = LabelPool.NONE;
     private long manipulated;
     private boolean crowded;
@@ -152,14 +140,8 @@ public final class JourneySearch implements Expander {
         work.check(generation);
         long left = budget;
         while (left > 0 && search.outcome().isRunning()) {
-            if (need == Need.COST_TO_GO) {
-                left -= asked.advance(left);
-                if (asked.hasAnswered()) {
-                    need = Need.NOTHING;
-                    put(waiting, waitingKey);
-                }
-            } else if (need == Need.TURN) {
-                left -= takeTurn(left);
+            if (awaited.isThere()) {
+                left -= advanceAwaited(left);
             } else {
                 long before = search.expanded();
                 search.step(left);
@@ -253,7 +235,7 @@ public final class JourneySearch implements Expander {
             }
         }
         if (!keys.isFinal(label)) {
-            return await(
+            return awaited.answer(
                     keys.ask(label, open.isEmpty() ? CostToGo.UNREACHABLE : 1 + costs.cheapestStraight()), label, key);
         }
         if (keys.isManipulation(label)) {
@@ -265,7 +247,7 @@ public final class JourneySearch implements Expander {
         }
         if (manipulations != null && space.region().takesOff(from) && manipulations.isNear(space, from)) {
             if (!isExact(new int[] {from}) || !isExact(manipulations.wanted(space, from))) {
-                return await(toGo, label, key);
+                return awaited.answer(toGo, label, key);
             }
             begin(label, space, from, key);
         }
@@ -285,15 +267,13 @@ public final class JourneySearch implements Expander {
     private Verdict leadOut(Enclosures all, Enclosure enclosure, int label, long key) {
         SearchSpace space = keys.space(label);
         if (!all.isKnown(space, enclosure)) {
-            return await(toGo, label, key);
+            return awaited.answer(toGo, label, key);
         }
         Optional<MoveAttempt> deciding = all.deciding(enclosure);
         if (deciding.isPresent()) {
-            enclosing = enclosure;
             MoveAttempt attempt = deciding.get();
             long most = Math.min(attempt.leastOf(enclosure.others()), mostWorth(label, attempt));
-            turn = new Turn(attempt, slice, most);
-            return await(label, key);
+            return awaited.turn(new Turn(attempt, slice, most), Optional.of(enclosure), label, key);
         }
         all.lead(space, enclosure, labels.state(label));
         put(label, key);
@@ -307,22 +287,6 @@ public final class JourneySearch implements Expander {
         }
         toGo.wantExact(places);
         return toGo.isExact();
-    }
-
-    private Verdict await(CostToGo what, int label, long key) {
-        asked = what;
-        return await(Need.COST_TO_GO, label, key);
-    }
-
-    private Verdict await(int label, long key) {
-        return await(Need.TURN, label, key);
-    }
-
-    private Verdict await(Need what, int label, long key) {
-        need = what;
-        waiting = label;
-        waitingKey = key;
-        return Verdict.WAITING;
     }
 
     /** Opens a label in manipulation for each attempt that begins where a label stands. */
@@ -341,9 +305,8 @@ public final class JourneySearch implements Expander {
     private Verdict expandManipulation(int label, long key) {
         MoveAttempt attempt = keys.attempt(label);
         if (attempt.outcome().isRunning()) {
-            enclosing = null;
-            turn = new Turn(attempt, slice, mostWorth(label, attempt));
-            return await(label, key);
+            Turn turn = new Turn(attempt, slice, mostWorth(label, attempt));
+            return awaited.turn(turn, Optional.empty(), label, key);
         }
         if (attempt.outcome().isFound()) {
             goOn(label, attempt, key);
@@ -351,17 +314,20 @@ public final class JourneySearch implements Expander {
         return Verdict.EXPANDED;
     }
 
-    /** Works on the instance that has its turn with at most {@code budget} expansions; returns those made. */
-    private long takeTurn(long budget) {
-        long done = turn.advance(budget);
-        manipulated += done;
-        search.charge(done);
-        if (turn.isOver()) {
-            need = Need.NOTHING;
-            if (enclosing != null) {
-                enclosures.get().update(enclosing);
+    /** Works on what a label waits for with at most {@code budget} expansions; returns those made. */
+    private long advanceAwaited(long budget) {
+        boolean turn = awaited.isTurn();
+        long done = awaited.advance(budget);
+        if (turn) {
+            manipulated += done;
+            search.charge(done);
+        }
+        if (awaited.end()) {
+            if (turn) {
+                awaited.enclosure()
+                        .ifPresent(enclosure -> enclosures.orElseThrow().update(enclosure));
             }
-            put(waiting, waitingKey);
+            put(awaited.label(), awaited.key());
         }
         return done;
     }
