@@ -1,5 +1,7 @@
 package troupe.scene;
 
+import java.util.function.Consumer;
+
 /**
  * Asks the unified planner to take an actor from start to goal.
  *
@@ -77,210 +79,124 @@ public record Journey(
 
     /** Returns this journey between other places. */
     public Journey between(Place from, Place to) {
-        return new Journey(
-                id,
-                label,
-                actor,
-                from,
-                to,
-                preferences,
-                ordering,
-                spread,
-                manipulation,
-                headings,
-                slice,
-                expansions,
-                spaces,
-                seed);
+        return changed(draft -> {
+            draft.start = from;
+            draft.goal = to;
+        });
     }
 
     /** Returns this journey with other preferences. */
     public Journey preferring(Preferences changed) {
-        return new Journey(
-                id,
-                label,
-                actor,
-                start,
-                goal,
-                changed,
-                ordering,
-                spread,
-                manipulation,
-                headings,
-                slice,
-                expansions,
-                spaces,
-                seed);
+        return changed(draft -> draft.preferences = changed);
     }
 
     /** Returns this journey with another ordering. */
     public Journey with(Ordering changed) {
-        return new Journey(
-                id,
-                label,
-                actor,
-                start,
-                goal,
-                preferences,
-                changed,
-                spread,
-                manipulation,
-                headings,
-                slice,
-                expansions,
-                spaces,
-                seed);
+        return changed(draft -> draft.ordering = changed);
     }
 
     /** Returns this journey with another spreading order of NF2. */
     public Journey with(Spread changed) {
-        return new Journey(
-                id,
-                label,
-                actor,
-                start,
-                goal,
-                preferences,
-                ordering,
-                changed,
-                manipulation,
-                headings,
-                slice,
-                expansions,
-                spaces,
-                seed);
+        return changed(draft -> draft.spread = changed);
     }
 
     /** Returns this journey with another way of moving obstacles. */
     public Journey with(Manipulation changed) {
-        return new Journey(
-                id,
-                label,
-                actor,
-                start,
-                goal,
-                preferences,
-                ordering,
-                spread,
-                changed,
-                headings,
-                slice,
-                expansions,
-                spaces,
-                seed);
+        return changed(draft -> draft.manipulation = changed);
     }
 
     /** Returns this journey with another number of headings for moved obstacles. */
     public Journey withHeadings(int changed) {
-        return new Journey(
-                id,
-                label,
-                actor,
-                start,
-                goal,
-                preferences,
-                ordering,
-                spread,
-                manipulation,
-                changed,
-                slice,
-                expansions,
-                spaces,
-                seed);
+        return changed(draft -> draft.headings = changed);
     }
 
     /** Returns this journey with other budgets. */
     public Journey limited(long newSlice, long newExpansions) {
-        return new Journey(
-                id,
-                label,
-                actor,
-                start,
-                goal,
-                preferences,
-                ordering,
-                spread,
-                manipulation,
-                headings,
-                Math.toIntExact(newSlice),
-                newExpansions,
-                spaces,
-                seed);
+        return changed(draft -> {
+            draft.slice = Math.toIntExact(newSlice);
+            draft.expansions = newExpansions;
+        });
     }
 
     /** Returns this journey with another limit of search spaces. */
     public Journey withSpaces(int changed) {
-        return new Journey(
-                id,
-                label,
-                actor,
-                start,
-                goal,
-                preferences,
-                ordering,
-                spread,
-                manipulation,
-                headings,
-                slice,
-                expansions,
-                changed,
-                seed);
+        return changed(draft -> draft.spaces = changed);
     }
 
     /** Returns this journey with another seed. */
     public Journey seeded(long changed) {
-        return new Journey(
-                id,
-                label,
-                actor,
-                start,
-                goal,
-                preferences,
-                ordering,
-                spread,
-                manipulation,
-                headings,
-                slice,
-                expansions,
-                spaces,
-                changed);
+        return changed(draft -> draft.seed = changed);
     }
 
     @Override
     public Journey named(String otherId, String otherLabel) {
-        return new Journey(
-                otherId,
-                otherLabel,
-                actor,
-                start,
-                goal,
-                preferences,
-                ordering,
-                spread,
-                manipulation,
-                headings,
-                slice,
-                expansions,
-                spaces,
-                seed);
+        return changed(draft -> {
+            draft.id = otherId;
+            draft.label = otherLabel;
+        });
     }
 
     /** Returns the same journey of another actor. */
     public Journey withActor(String other) {
-        return new Journey(
-                id,
-                label,
-                other,
-                start,
-                goal,
-                preferences,
-                ordering,
-                spread,
-                manipulation,
-                headings,
-                slice,
-                expansions,
-                spaces,
-                seed);
+        return changed(draft -> draft.actor = other);
+    }
+
+    private Journey changed(Consumer<Draft> change) {
+        Draft draft = new Draft(this);
+        change.accept(draft);
+        return draft.journey();
+    }
+
+    /** A journey whose parts can be changed one by one. */
+    private static final class Draft {
+        private String id;
+        private String label;
+        private String actor;
+        private Place start;
+        private Place goal;
+        private Preferences preferences;
+        private Ordering ordering;
+        private Spread spread;
+        private Manipulation manipulation;
+        private int headings;
+        private int slice;
+        private long expansions;
+        private int spaces;
+        private long seed;
+
+        Draft(Journey of) {
+            id = of.id;
+            label = of.label;
+            actor = of.actor;
+            start = of.start;
+            goal = of.goal;
+            preferences = of.preferences;
+            ordering = of.ordering;
+            spread = of.spread;
+            manipulation = of.manipulation;
+            headings = of.headings;
+            slice = of.slice;
+            expansions = of.expansions;
+            spaces = of.spaces;
+            seed = of.seed;
+        }
+
+        Journey journey() {
+            return new Journey(
+                    id,
+                    label,
+                    actor,
+                    start,
+                    goal,
+                    preferences,
+                    ordering,
+                    spread,
+                    manipulation,
+                    headings,
+                    slice,
+                    expansions,
+                    spaces,
+                    seed);
+        }
     }
 }

@@ -3,6 +3,7 @@ package troupe.grid.region.ground;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicReferenceArray;
 import troupe.geometry.Box;
 import troupe.geometry.Polygon;
 import troupe.grid.CellRuns;
@@ -36,6 +37,9 @@ public final class Solids {
     private final List<Integer> walls;
     private final int[] edge;
 
+    /** The cells near each piece of a rim, as far as they have been asked for; shared by all who ask about others. */
+    private final AtomicReferenceArray<int[]> pieces;
+
     /** Prepares the questions for given obstacles. Cost O(columns + rims + rows). */
     public Solids(Scene scene, Actor actor, Columns columns, Rims rims, List<Solid> all, GridFrame frame) {
         this.scene = scene;
@@ -64,6 +68,7 @@ public final class Solids {
                     Polygon.rectangle(0, 0, scene.world().width(), scene.world().depth()));
         }
         this.edge = runs.copy();
+        this.pieces = new AtomicReferenceArray<>(rims.size());
     }
 
     private Solids(Solids other, List<Solid> all) {
@@ -80,6 +85,7 @@ public final class Solids {
         this.highestGround = other.highestGround;
         this.walls = other.walls;
         this.edge = other.edge;
+        this.pieces = other.pieces;
     }
 
     /** Returns the same questions about other obstacles, with memory of its own. Cost O(1). */
@@ -133,13 +139,19 @@ public final class Solids {
         }
     }
 
-    /** Puts the cells near a piece into the runs. */
+    /** Puts the cells near a piece into the runs; which they are is found once. */
     private void piece(int i) {
         runs.clear();
+        int[] known = pieces.get(i);
+        if (known != null) {
+            runs.add(known);
+            return;
+        }
         rims.near(i, radius, runs);
         if (touching) {
             rims.touch(i, runs);
         }
+        pieces.set(i, runs.copy());
     }
 
     /** Returns the grown boxes of the solids that a vault from {@code floor} may go over. */
