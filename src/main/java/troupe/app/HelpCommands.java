@@ -14,7 +14,7 @@ import troupe.app.look.Look;
 final class HelpCommands {
     private static final Dimension GUIDE = new Dimension(960, 660);
     private static final Dimension KEYS = new Dimension(440, 620);
-    private static final Dimension ABOUT = new Dimension(440, 280);
+    private static final Dimension ABOUT = new Dimension(440, 240);
 
     private final StudioWindow window;
     private final Look look;

@@ -106,12 +106,15 @@ final class StudioCommands implements AutoCloseable {
     private void export() {
         session.run().ifPresent(run -> {
             Path scene = session.document().file().orElse(Path.of(run.task())).toAbsolutePath();
-            String name = scene.getFileName().toString().replaceFirst("\\.xml$", "") + "-" + run.task();
+            String of = session.document().file().isPresent()
+                    ? scene.getFileName().toString().replaceFirst("\\.xml$", "") + "-"
+                    : "";
             ExportSettings first = ExportSettings.DEFAULT
                     .at(session.playback().time())
                     .in(look.theme())
                     .from(window.eye().angle());
-            ExportDialog.show(window.frame(), look, run, first, scene.resolveSibling(name), EventQueue::invokeLater);
+            ExportDialog.show(
+                    window.frame(), look, run, first, scene.resolveSibling(of + run.task()), EventQueue::invokeLater);
         });
     }
 

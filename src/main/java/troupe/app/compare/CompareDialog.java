@@ -13,6 +13,7 @@ import javax.swing.JDialog;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import javax.swing.JScrollPane;
 import javax.swing.JTable;
 import javax.swing.table.AbstractTableModel;
 import javax.swing.table.DefaultTableCellRenderer;
@@ -55,6 +56,7 @@ final class CompareDialog {
         table.getTableHeader().setReorderingAllowed(false);
         table.getTableHeader().setBackground(look.color(Tone.PANEL));
         table.getTableHeader().setForeground(look.color(Tone.DIM));
+        table.getTableHeader().setDefaultRenderer(new Head());
         table.setFillsViewportHeight(true);
         table.setDefaultRenderer(Object.class, new Renderer());
         table.getAccessibleContext().setAccessibleName(look.text("compare.title"));
@@ -62,13 +64,15 @@ final class CompareDialog {
         all.setBackground(look.color(Tone.PANEL));
         all.setBorder(BorderFactory.createEmptyBorder(14, 16, 14, 16));
         all.add(names, BorderLayout.NORTH);
-        all.add(ThinScrollBarUI.scroll(table, look), BorderLayout.CENTER);
+        JScrollPane scroll = ThinScrollBarUI.scroll(table, look);
+        // a table gives its pane a frame, unless the pane has a border
+        scroll.setBorder(BorderFactory.createEmptyBorder());
+        scroll.setColumnHeaderView(table.getTableHeader());
+        all.add(scroll, BorderLayout.CENTER);
         Prose marks = new Prose(look, look.text("compare.marks"));
         marks.setOpaque(false);
         marks.setForeground(look.color(Tone.DIM));
         all.add(marks, BorderLayout.SOUTH);
-        ((javax.swing.JScrollPane) ((BorderLayout) all.getLayout()).getLayoutComponent(BorderLayout.CENTER))
-                .setColumnHeaderView(table.getTableHeader());
         dialog.setContentPane(new Scaling(look::scale).apply(all));
         dialog.setSize(new Dimension(look.px(WIDTHS.stream().mapToInt(w -> w).sum() + 50), look.px(500)));
         dialog.setLocationRelativeTo(over);
@@ -144,6 +148,23 @@ final class CompareDialog {
             ReportTable.Row at = rows.get(row);
             return List.of(words.name(at.name()), words.value(at.shown()), words.value(at.kept()), at.change())
                     .get(column);
+        }
+    }
+
+    /** Shows the words above the columns where those below stand, on a thin line. */
+    private final class Head extends DefaultTableCellRenderer {
+        @Override
+        public Component getTableCellRendererComponent(
+                JTable table, Object value, boolean selected, boolean focused, int row, int column) {
+            super.getTableCellRendererComponent(table, value, false, false, row, column);
+            setHorizontalAlignment(column == 0 ? LEFT : RIGHT);
+            setFont(look.font());
+            setForeground(look.color(Tone.DIM));
+            setBackground(look.color(Tone.PANEL));
+            setBorder(BorderFactory.createCompoundBorder(
+                    look.line(0, 0, 1, 0),
+                    BorderFactory.createEmptyBorder(look.px(4), look.px(8), look.px(5), look.px(8))));
+            return this;
         }
     }
 

@@ -6,7 +6,8 @@ import java.util.ArrayList;
 import java.util.List;
 import javax.swing.Action;
 import javax.swing.BorderFactory;
-import javax.swing.JCheckBoxMenuItem;
+import javax.swing.Icon;
+import javax.swing.JMenuItem;
 import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
 import troupe.app.look.Icons;
@@ -67,9 +68,9 @@ public final class ToolStrip extends JPanel {
         JPopupMenu menu = new JPopupMenu();
         for (int i = 0; i < buttons.size(); i++) {
             if (!buttons.get(i).isVisible()) {
-                JCheckBoxMenuItem item = new JCheckBoxMenuItem(tools.get(i));
+                JMenuItem item = new JMenuItem(tools.get(i));
                 item.setName("more." + tools.get(i).getValue(Action.ACTION_COMMAND_KEY));
-                item.setIcon(null);
+                item.setIcon((Icon) tools.get(i).getValue(Action.LARGE_ICON_KEY));
                 item.setToolTipText(null);
                 menu.add(item);
             }
