@@ -126,7 +126,7 @@ final class CanvasLayers implements AutoCloseable {
     /** Paints all layers. */
     void paint(Graphics2D g, int width, int height, Viewport of) {
         view = of;
-        stack.paint(g, width, height, look.color(Tone.CANVAS), of);
+        stack.paint(g, width, height, look.color(Tone.CANVAS), of, movesInside());
     }
 
     /** Paints all layers without keeping any of them, of shapes alone. */

@@ -11,8 +11,8 @@ import java.util.Objects;
 
 /**
  * Paints layers one over the other and keeps a picture of those below the lowest one that changed, so
- * that playing a run or dragging a thing paints only what moves; where nothing changed, the picture of all of them is
- * shown again. A layer changes when its stamp does. The pictures are made in memory, and go to the screen at once.
+ * that playing a run or dragging a thing paints only what moves. Where that is much, it is painted in memory and goes to
+ * the screen at once, and the same picture again where nothing changed. A layer changes when its stamp does.
  */
 final class LayerStack {
 
@@ -31,6 +31,9 @@ final class LayerStack {
     private RenderingHints hints;
     private BufferedImage below;
     private BufferedImage all;
+    /** Whether the picture of all layers is that of the last stamps. */
+    private boolean composed;
+
     private int kept;
     private Object ground;
     private int painted;
@@ -48,8 +51,10 @@ final class LayerStack {
      * Paints all layers on a background.
      *
      * @param common what every layer depends on, such as the viewport
+     * @param inMemory whether the changing layers, too, are painted in memory: where they are of pixels rather than of
+     *     shapes, or change much
      */
-    void paint(Graphics2D g, int width, int height, Color background, Object common) {
+    void paint(Graphics2D g, int width, int height, Color background, Object common, boolean inMemory) {
         AffineTransform scale = g.getTransform();
         double sx = scale.getScaleX();
         double sy = scale.getScaleY();
@@ -58,17 +63,57 @@ final class LayerStack {
         Object groundNow = List.of(width, height, sx, sy, background, common);
         boolean whole = !groundNow.equals(ground);
         int keep = whole ? 0 : lowestChange(now);
-        boolean same = !whole && now.equals(stamps);
+        boolean same = composed && !whole && now.equals(stamps);
         ground = groundNow;
         stamps = now;
         painted = 0;
-        if (!same) {
-            hints = g.getRenderingHints();
-            compose(keep, (int) Math.ceil(width * sx), (int) Math.ceil(height * sy), scale, background);
+        composed = inMemory;
+        if (inMemory && same) {
+            show(all, g);
+            return;
         }
+        int deviceWidth = (int) Math.ceil(width * sx);
+        int deviceHeight = (int) Math.ceil(height * sy);
+        hints = g.getRenderingHints();
+        if (keep > 0) {
+            keepLayers(keep, deviceWidth, deviceHeight, scale, background);
+        } else {
+            kept = 0;
+        }
+        if (inMemory) {
+            all = room(all, deviceWidth, deviceHeight);
+            Graphics2D memory = all.createGraphics();
+            memory.setRenderingHints(hints);
+            memory.clipRect(0, 0, deviceWidth, deviceHeight);
+            memory.scale(sx, sy);
+            paintFrom(keep, memory, width, height, background);
+            memory.dispose();
+            show(all, g);
+        } else {
+            paintFrom(keep, g, width, height, background);
+        }
+    }
+
+    /** Paints what is kept of the layers below {@code keep}, and the others over it. */
+    private void paintFrom(int keep, Graphics2D g, int width, int height, Color background) {
+        if (keep > 0) {
+            show(below, g);
+        } else {
+            g.setColor(background);
+            g.fillRect(0, 0, width, height);
+        }
+        for (int i = keep; i < layers.size(); i++) {
+            layers.get(i).paint(g);
+            painted++;
+        }
+    }
+
+    /** Paints a picture that has the pixels of the device. */
+    private static void show(BufferedImage image, Graphics2D g) {
+        AffineTransform scale = g.getTransform();
         Graphics2D device = (Graphics2D) g.create();
         device.setTransform(AffineTransform.getTranslateInstance(scale.getTranslateX(), scale.getTranslateY()));
-        device.drawImage(all, 0, 0, null);
+        device.drawImage(image, 0, 0, null);
         device.dispose();
     }
 
@@ -77,28 +122,6 @@ final class LayerStack {
         g.setColor(background);
         g.fillRect(0, 0, width, height);
         layers.forEach(layer -> layer.paint(g));
-    }
-
-    /** Makes the picture of all layers, those below {@code keep} from what is kept of them. */
-    private void compose(int keep, int width, int height, AffineTransform scale, Color background) {
-        all = room(all, width, height);
-        Graphics2D g = all.createGraphics();
-        g.setRenderingHints(hints);
-        g.clipRect(0, 0, width, height);
-        if (keep > 0) {
-            keepLayers(keep, width, height, scale, background);
-            g.drawImage(below, 0, 0, null);
-        } else {
-            kept = 0;
-            g.setColor(background);
-            g.fillRect(0, 0, width, height);
-        }
-        g.scale(scale.getScaleX(), scale.getScaleY());
-        for (int i = keep; i < layers.size(); i++) {
-            layers.get(i).paint(g);
-            painted++;
-        }
-        g.dispose();
     }
 
     /** Returns a picture of a size, the one given if it fits. */

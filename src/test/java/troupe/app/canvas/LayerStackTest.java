@@ -35,11 +35,15 @@ class LayerStackTest {
     }
 
     private static int[] paint(LayerStack stack, double scale, Object common) {
+        return paint(stack, scale, common, false);
+    }
+
+    private static int[] paint(LayerStack stack, double scale, Object common, boolean inMemory) {
         int pixels = (int) (SIZE * scale);
         BufferedImage image = new BufferedImage(pixels, pixels, BufferedImage.TYPE_INT_RGB);
         Graphics2D g = image.createGraphics();
         g.scale(scale, scale);
-        stack.paint(g, SIZE, SIZE, Color.WHITE, common);
+        stack.paint(g, SIZE, SIZE, Color.WHITE, common, inMemory);
         g.dispose();
         return image.getRGB(0, 0, pixels, pixels, null, 0, pixels);
     }
@@ -54,7 +58,7 @@ class LayerStackTest {
         paint(stack, 1, "");
         assertEquals(1, stack.paintedLayers());
         paint(stack, 1, "");
-        assertEquals(0, stack.paintedLayers());
+        assertEquals(1, stack.paintedLayers());
         stamps[2]++;
         paint(stack, 1, "");
         stamps[2]++;
@@ -62,6 +66,20 @@ class LayerStackTest {
         assertEquals(2, stack.paintedLayers());
         paint(stack, 1, "other view");
         assertEquals(4, stack.paintedLayers());
+    }
+
+    @Test
+    void whatWasPaintedInMemoryIsShownAgainWhileNothingChanges() {
+        LayerStack stack = new LayerStack(layers);
+        int[] first = paint(stack, 1, "", true);
+        assertEquals(4, stack.paintedLayers());
+        assertArrayEquals(first, paint(stack, 1, "", true));
+        assertEquals(0, stack.paintedLayers());
+        stamps[3]++;
+        int[] other = paint(stack, 1, "", false);
+        // the picture in memory is an older one now
+        assertArrayEquals(other, paint(stack, 1, "", true));
+        assertEquals(1, stack.paintedLayers());
     }
 
     @Test
@@ -77,7 +95,7 @@ class LayerStackTest {
             Object view = i / 40;
             assertArrayEquals(
                     paint(new LayerStack(layers), scale, view),
-                    paint(stack, scale, view),
+                    paint(stack, scale, view, random.nextBoolean()),
                     "step " + i + " seed " + seed);
         }
     }
