@@ -17,8 +17,6 @@ import javax.swing.plaf.FontUIResource;
 import javax.swing.plaf.InsetsUIResource;
 import javax.swing.plaf.metal.DefaultMetalTheme;
 import javax.swing.plaf.metal.MetalLookAndFeel;
-import troupe.app.look.widget.RoomyChoiceItemUI;
-import troupe.app.look.widget.RoomyMenuItemUI;
 import troupe.paint.Tone;
 
 /** Dresses the JDK's own components (menus, dialogs, file choosers) in the colours of a theme. */
@@ -73,8 +71,8 @@ public final class SwingTheme extends DefaultMetalTheme {
             defaults.put(part + ".afterCheckIconGap", look.px(6));
         }
         defaults.put("MenuBar.border", border(0, 0, 0, 0));
-        defaults.put("MenuItemUI", RoomyMenuItemUI.class.getName());
-        defaults.put("CheckBoxMenuItemUI", RoomyChoiceItemUI.class.getName());
+        defaults.put("MenuItemUI", RoomyMenuItems.Plain.class.getName());
+        defaults.put("CheckBoxMenuItemUI", RoomyMenuItems.Choice.class.getName());
         defaults.put("PopupMenu.border", frame(4));
         defaults.put("PopupMenu.background", resource(panel));
         defaults.put("ToolTip.background", resource(look.color(Tone.PANEL)));
