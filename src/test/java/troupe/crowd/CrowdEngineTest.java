@@ -58,6 +58,21 @@ class CrowdEngineTest {
         assertTrue(run.frames().count() > 100, run.outcome().toString());
     }
 
+    /** In a pack the directions change from step to step; people that are shown so look as if they trembled. */
+    @Test
+    void nobodyIsShownToTurnFasterThanABody() {
+        Run run = run(hall(80, 12));
+        int heading = run.frames().channel("left", "heading");
+        for (int frame = 1; frame < run.frames().count(); frame++) {
+            for (int m = 0; m < 80; m++) {
+                double turn =
+                        run.frames().value(frame, heading, m) - run.frames().value(frame - 1, heading, m);
+                double least = Math.abs(StrictMath.IEEEremainder(turn, 2 * Math.PI));
+                assertTrue(least <= Math.PI * Crowd.STEP_SECONDS + 1e-5, "frame " + frame + ", agent " + m);
+            }
+        }
+    }
+
     @Test
     void theNumberOfThreadsDoesNotMatter() {
         String alone = Digest.of(run(hall(150, 8)).frames());

@@ -99,6 +99,10 @@ final class Arrival {
                 continue;
             }
             Places places = goals.get(goal[i]);
+            if (agents.left[i] > places.outermost() + 2 * BEFORE) {
+                // the next place is nearer to the goal than that: there is no need to look for it
+                continue;
+            }
             int p = places.next(agents.x[i], agents.y[i]);
             if (p < 0) {
                 asks[i] = false;

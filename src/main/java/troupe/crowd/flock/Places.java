@@ -25,6 +25,7 @@ public final class Places {
     private final double[] placeY;
     private final boolean[] taken;
     private int first;
+    private double outermost;
 
     /**
      * Lays out the places around the goal of a way.
@@ -104,5 +105,11 @@ public final class Places {
     /** Takes a place. */
     void take(int p) {
         taken[p] = true;
+        outermost = Math.max(outermost, way.potential(spans[p]));
+    }
+
+    /** Returns the potential in metres of the place farthest out that is taken, 0 before the first. */
+    double outermost() {
+        return outermost;
     }
 }

@@ -48,6 +48,10 @@ public final class Way {
         }
         this.potential = left.clone();
         descend();
+        // the first potential is looked up at once, later ones where somebody comes
+        for (int q = 0; q < next.length; q++) {
+            next(q);
+        }
     }
 
     private Way(Way other) {
