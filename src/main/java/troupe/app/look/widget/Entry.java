@@ -14,9 +14,8 @@ import javax.swing.AbstractAction;
 import javax.swing.BorderFactory;
 import javax.swing.JTextField;
 import javax.swing.KeyStroke;
-import javax.swing.event.DocumentEvent;
-import javax.swing.event.DocumentListener;
 import troupe.app.look.Look;
+import troupe.app.look.Typed;
 import troupe.paint.Tone;
 
 /**
@@ -45,7 +44,7 @@ public class Entry extends JTextField {
         int right = (int) Math.ceil(10 + getFontMetrics(getFont()).stringWidth(unit) / look.scale());
         setBorder(BorderFactory.createEmptyBorder(3, 8, 3, right));
         setPreferredSize(new Dimension(60, 24));
-        getDocument().addDocumentListener(new Check());
+        getDocument().addDocumentListener(new Typed(this::mark));
         addActionListener(e -> take());
         addFocusListener(new FocusAdapter() {
             @Override
@@ -121,31 +120,13 @@ public class Entry extends JTextField {
     }
 
     /** Marks what is typed as right or wrong. */
-    private final class Check implements DocumentListener {
-        private void check() {
-            boolean before = wrong;
-            Optional<String> found =
-                    getText().equals(shown) || !isEditable() ? Optional.empty() : check.apply(getText());
-            wrong = found.isPresent();
-            setToolTipText(found.orElse(null));
-            if (before != wrong) {
-                repaint();
-            }
-        }
-
-        @Override
-        public void insertUpdate(DocumentEvent event) {
-            check();
-        }
-
-        @Override
-        public void removeUpdate(DocumentEvent event) {
-            check();
-        }
-
-        @Override
-        public void changedUpdate(DocumentEvent event) {
-            check();
+    private void mark() {
+        boolean before = wrong;
+        Optional<String> found = getText().equals(shown) || !isEditable() ? Optional.empty() : check.apply(getText());
+        wrong = found.isPresent();
+        setToolTipText(found.orElse(null));
+        if (before != wrong) {
+            repaint();
         }
     }
 }
