@@ -115,10 +115,6 @@ public final class Region implements StepRelation {
         return new Parts(words, crossings, neighbours, bands);
     }
 
-    private Region moved(Solid[] changed) {
-        return patched(structure, changed);
-    }
-
     /** Returns the region of a scene that differs in the outlines of movable obstacles only; built anew if in many of them. */
     Region at(Structure other) {
         Solid[] there = other.movables();
@@ -158,7 +154,7 @@ public final class Region implements StepRelation {
         }
         Solid[] changed = movables.clone();
         changed[obstacle] = structure.placed(obstacle, outline);
-        return moved(changed);
+        return patched(structure, changed);
     }
 
     /**
@@ -177,14 +173,13 @@ public final class Region implements StepRelation {
         if (Arrays.equals(changed, movables)) {
             return this;
         }
-        return obstacles.length == 1 ? withoutOne(obstacles[0], changed) : moved(changed);
-    }
-
-    private Region withoutOne(int obstacle, Solid[] changed) {
-        if (without.get(obstacle) == null) {
-            without.compareAndSet(obstacle, null, moved(changed));
+        if (obstacles.length > 1) {
+            return patched(structure, changed);
         }
-        return without.get(obstacle);
+        if (without.get(obstacles[0]) == null) {
+            without.compareAndSet(obstacles[0], null, patched(structure, changed));
+        }
+        return without.get(obstacles[0]);
     }
 
     /** Tells where a movable obstacle at an outline would bar walking. */
@@ -194,7 +189,7 @@ public final class Region implements StepRelation {
 
     /** Returns the region in which no movable obstacle is there. */
     public Region bare() {
-        return moved(new Solid[movables.length]);
+        return patched(structure, new Solid[movables.length]);
     }
 
     /**
