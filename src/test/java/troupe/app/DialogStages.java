@@ -51,6 +51,12 @@ final class DialogStages {
         Recovery.Offer offer =
                 new Recovery.Offer(left, scene, scene, new BufferedImage(260, 190, BufferedImage.TYPE_INT_RGB));
         question("recovery", () -> RecoveryQuestion.ask(studio.window(), null, offer));
+        question(
+                "recovery.run",
+                () -> RecoveryQuestion.ask(
+                        studio.window(),
+                        null,
+                        new Recovery.RunOffer(left, studio.session().run().orElseThrow())));
     }
 
     private void perform(String command) {
