@@ -17,7 +17,9 @@ import troupe.work.view.MomentViews;
 public final class Foresight implements AutoCloseable {
     private final Executor eventThread;
     private final Consumer<Optional<Strip>> taker;
-    private final MomentViews views = new MomentViews();
+    /** Made by the worker, the only one that uses it. */
+    private MomentViews views;
+
     private final AtomicReference<Moment> newest = new AtomicReference<>();
     private final ExecutorService worker = Executors.newSingleThreadExecutor(task -> {
         Thread thread = new Thread(task, "foresight");
@@ -41,6 +43,7 @@ public final class Foresight implements AutoCloseable {
     }
 
     private void make() {
+        views = views == null ? new MomentViews() : views;
         Moment moment = newest.get();
         while (moment != null) {
             Optional<Strip> made = views.strip(moment.run(), moment.time());
