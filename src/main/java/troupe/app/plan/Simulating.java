@@ -119,14 +119,16 @@ final class Simulating {
                 return true;
             }
             news |= obey(watcher);
-            boolean on = engine.outcome().isRunning() && engine.progress().work() < steering.limit();
+            // what was asked for and let go at once comes before the next step, not after a slice of them
+            boolean asked = steering.isAsked();
+            boolean on = !asked && engine.outcome().isRunning() && engine.progress().work() < steering.limit();
             boolean far = steering.isFarAhead(engine.progress().work(), FAR_STEPS);
             boolean yields = NARROW && far && steering.isPlayed();
             if (on) {
                 advance(yields ? SHORT_SLICE_NANOS : SLICE_NANOS);
                 news = true;
             }
-            boolean pausing = !on || !engine.outcome().isRunning();
+            boolean pausing = !asked && (!on || !engine.outcome().isRunning());
             if (news && (pausing || System.nanoTime() - told >= (far ? FAR_PUBLISH_NANOS : PUBLISH_NANOS))) {
                 told = System.nanoTime();
                 news = false;
@@ -157,6 +159,7 @@ final class Simulating {
         do {
             step();
         } while (engine.outcome().isRunning()
+                && !steering.isAsked()
                 && engine.progress().work() < steering.limit()
                 && System.nanoTime() - begin < nanos);
     }

@@ -100,6 +100,11 @@ final class Steering {
         return limit;
     }
 
+    /** Tells whether something was asked for that has not been taken. */
+    synchronized boolean isAsked() {
+        return back != NONE || !wanted.isEmpty();
+    }
+
     /** Tells whether nothing is held and nothing asked for. */
     synchronized boolean isIdle() {
         return limit == NONE && back == NONE && wanted.isEmpty();
