@@ -121,7 +121,8 @@ final class Simulating {
             news |= obey(watcher);
             // what was asked for and let go at once comes before the next step, not after a slice of them
             boolean asked = steering.isAsked();
-            boolean on = !asked && engine.outcome().isRunning() && engine.progress().work() < steering.limit();
+            boolean on =
+                    !asked && engine.outcome().isRunning() && engine.progress().work() < steering.limit();
             boolean far = steering.isFarAhead(engine.progress().work(), FAR_STEPS);
             boolean yields = NARROW && far && steering.isPlayed();
             if (on) {
