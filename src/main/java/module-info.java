@@ -26,7 +26,9 @@ module troupe {
     exports troupe.risk.plan;
     exports troupe.risk.study;
     exports troupe.unified;
+    exports troupe.unified.cost;
     exports troupe.unified.manipulation;
+    exports troupe.unified.obstacle;
     exports troupe.unified.search;
     exports troupe.crowd;
     exports troupe.crowd.flock;

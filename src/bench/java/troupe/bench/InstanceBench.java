@@ -29,12 +29,12 @@ import troupe.scene.Scene;
 import troupe.scene.World;
 import troupe.unified.manipulation.ConfigurationSpace;
 import troupe.unified.manipulation.ExpectedPath;
-import troupe.unified.manipulation.Grip;
 import troupe.unified.manipulation.Instance;
-import troupe.unified.manipulation.Movable;
 import troupe.unified.manipulation.Prices;
 import troupe.unified.manipulation.Question;
-import troupe.unified.manipulation.Surroundings;
+import troupe.unified.obstacle.Grip;
+import troupe.unified.obstacle.Movable;
+import troupe.unified.obstacle.Surroundings;
 
 /**
  * Measures an expansion, all ten moves, of the search for where to put an obstacle: ns per expansion over

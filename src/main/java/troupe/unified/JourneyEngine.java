@@ -18,9 +18,9 @@ import troupe.scene.Actor;
 import troupe.scene.Journey;
 import troupe.scene.Scene;
 import troupe.search.Outcome;
+import troupe.unified.cost.JourneyCosts;
 import troupe.unified.motion.Motion;
 import troupe.unified.motion.RouteBuilder;
-import troupe.unified.search.JourneyCosts;
 import troupe.unified.search.JourneyPath;
 import troupe.unified.search.JourneySearch;
 

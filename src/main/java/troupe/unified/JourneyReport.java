@@ -8,7 +8,7 @@ import troupe.run.Run;
 import troupe.run.frame.Frames;
 import troupe.scene.Ability;
 import troupe.search.Outcome;
-import troupe.unified.manipulation.LatticePose;
+import troupe.unified.obstacle.LatticePose;
 import troupe.unified.search.JourneyPath;
 import troupe.unified.search.JourneySearch;
 import troupe.unified.search.MoveAttempt;

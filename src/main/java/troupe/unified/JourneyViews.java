@@ -14,7 +14,7 @@ import troupe.run.view.GridOverlays;
 import troupe.run.view.Overlay;
 import troupe.unified.manipulation.ConfigurationSpace;
 import troupe.unified.manipulation.ExpectedPath;
-import troupe.unified.manipulation.Movable;
+import troupe.unified.obstacle.Movable;
 import troupe.unified.search.JourneySearch;
 import troupe.unified.search.MoveAttempt;
 import troupe.unified.search.SearchSpace;

@@ -12,12 +12,12 @@ import troupe.scene.Actor;
 import troupe.scene.Journey;
 import troupe.scene.Ordering;
 import troupe.scene.Scene;
-import troupe.unified.manipulation.Movable;
-import troupe.unified.search.JourneyCosts;
-import troupe.unified.search.JourneyQuery;
+import troupe.unified.cost.JourneyCosts;
+import troupe.unified.cost.JourneyQuery;
+import troupe.unified.cost.Moving;
+import troupe.unified.obstacle.Movable;
 import troupe.unified.search.JourneySearch;
 import troupe.unified.search.JourneyWorkspace;
-import troupe.unified.search.Moving;
 
 /**
  * Makes ready what a search for a journey needs, stage by stage: spans, regions, the potential where the

@@ -26,7 +26,7 @@ import troupe.scene.Ordering;
 import troupe.scene.Preferences;
 import troupe.scene.Scene;
 import troupe.search.Outcome;
-import troupe.unified.search.JourneyCosts;
+import troupe.unified.cost.JourneyCosts;
 import troupe.unified.search.JourneySearch;
 
 /**

@@ -18,8 +18,8 @@ import troupe.scene.Ditch;
 import troupe.scene.Journey;
 import troupe.scene.Obstacle;
 import troupe.scene.Scene;
-import troupe.unified.manipulation.LatticePose;
 import troupe.unified.manipulation.Transfer;
+import troupe.unified.obstacle.LatticePose;
 import troupe.unified.reference.Shapes;
 import troupe.unified.search.JourneyPath;
 

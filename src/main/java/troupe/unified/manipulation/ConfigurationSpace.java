@@ -3,6 +3,9 @@ package troupe.unified.manipulation;
 import java.util.Arrays;
 import java.util.concurrent.atomic.AtomicReferenceArray;
 import troupe.grid.GridFrame;
+import troupe.unified.obstacle.Bits;
+import troupe.unified.obstacle.LatticePose;
+import troupe.unified.obstacle.Movable;
 
 /**
  * Knows the poses of an obstacle in which it bars an expected path: S of Unified section 6.3. A heading is

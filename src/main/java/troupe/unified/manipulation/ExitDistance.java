@@ -1,5 +1,7 @@
 package troupe.unified.manipulation;
 
+import troupe.unified.obstacle.Movable;
+
 /**
  * Bounds from below what it still costs to bring an obstacle to a pose that bars nothing, as if nothing stood in its
  * way: the least cost of translations at the same heading, or a turn and then translations of the disc about the centroid

@@ -1,6 +1,8 @@
 package troupe.unified.manipulation;
 
 import troupe.grid.GridFrame;
+import troupe.unified.obstacle.LatticePose;
+import troupe.unified.obstacle.Movable;
 
 /**
  * Holds the places that an actor expects to pass once an obstacle is out of its way, from the trigger to

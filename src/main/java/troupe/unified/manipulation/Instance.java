@@ -9,6 +9,11 @@ import troupe.search.Expander;
 import troupe.search.MinHeap;
 import troupe.search.OpenList;
 import troupe.search.Outcome;
+import troupe.unified.obstacle.Grip;
+import troupe.unified.obstacle.LatticePose;
+import troupe.unified.obstacle.Movable;
+import troupe.unified.obstacle.Support;
+import troupe.unified.obstacle.Sweeps;
 
 /**
  * Searches for the cheapest place to which an obstacle can be moved so that it does not bar an expected

@@ -2,6 +2,7 @@ package troupe.unified.manipulation;
 
 import java.util.Optional;
 import troupe.grid.GridFrame;
+import troupe.unified.obstacle.Grip;
 
 /**
  * Says what the moves of an obstacle between the poses of its lattice cost, in units of the prices: the obstacle's part

@@ -1,6 +1,9 @@
 package troupe.unified.manipulation;
 
 import java.util.Optional;
+import troupe.unified.obstacle.Grip;
+import troupe.unified.obstacle.Movable;
+import troupe.unified.obstacle.Surroundings;
 
 /**
  * Says what an instance is to find out: where to put an obstacle so that a path is free.

@@ -1,6 +1,7 @@
 package troupe.unified.manipulation;
 
 import java.util.List;
+import troupe.unified.obstacle.LatticePose;
 
 /**
  * Says how an obstacle was moved.

@@ -1,6 +1,9 @@
 package troupe.unified.manipulation;
 
 import java.util.List;
+import troupe.unified.obstacle.Grip;
+import troupe.unified.obstacle.LatticePose;
+import troupe.unified.obstacle.Movable;
 
 /** Counts the moves of an obstacle, and the steps of the actor that holds it, so that sums of their lengths do not drift. Used once. */
 final class Travel {

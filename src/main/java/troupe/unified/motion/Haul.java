@@ -7,9 +7,9 @@ import troupe.geometry.Polygon;
 import troupe.geometry.Pose;
 import troupe.geometry.Segments;
 import troupe.unified.body.SweptBody;
-import troupe.unified.manipulation.LatticePose;
-import troupe.unified.manipulation.Movable;
 import troupe.unified.manipulation.Transfer;
+import troupe.unified.obstacle.LatticePose;
+import troupe.unified.obstacle.Movable;
 
 /**
  * Holds how an obstacle travels and the actor that moves it, measured by the metres that the farthest point of

@@ -10,9 +10,9 @@ import troupe.scene.Actor;
 import troupe.scene.Obstacle;
 import troupe.scene.Scene;
 import troupe.unified.body.SweptBody;
-import troupe.unified.manipulation.Movable;
+import troupe.unified.cost.JourneyCosts;
 import troupe.unified.manipulation.Transfer;
-import troupe.unified.search.JourneyCosts;
+import troupe.unified.obstacle.Movable;
 import troupe.unified.search.JourneyPath;
 
 /**

@@ -10,7 +10,7 @@ import troupe.grid.region.ground.Kind;
 import troupe.scene.Ability;
 import troupe.scene.Obstacle;
 import troupe.unified.body.SweptBody;
-import troupe.unified.search.JourneyCosts;
+import troupe.unified.cost.JourneyCosts;
 import troupe.unified.search.JourneyPath;
 
 /**

@@ -3,6 +3,7 @@ package troupe.unified.search;
 import java.util.Optional;
 import troupe.search.Expander;
 import troupe.search.LabelPool;
+import troupe.unified.cost.CostToGo;
 
 /**
  * Holds the label that a search waits for, and what it waits for: that the backward search answers, or that a

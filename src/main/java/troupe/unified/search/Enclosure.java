@@ -3,6 +3,7 @@ package troupe.unified.search;
 import java.util.List;
 import java.util.Optional;
 import troupe.grid.region.Reach;
+import troupe.unified.cost.Priority;
 
 /**
  * Holds the configurations of a search space that can be reached from one of them by legal steps, counters

@@ -3,6 +3,10 @@ package troupe.unified.search;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import troupe.unified.cost.CostToGo;
+import troupe.unified.cost.FieldMemory;
+import troupe.unified.cost.JourneyCosts;
+import troupe.unified.cost.Priority;
 import troupe.unified.manipulation.Instance;
 import troupe.unified.manipulation.Transfer;
 

@@ -7,8 +7,10 @@ import troupe.grid.region.Region;
 import troupe.grid.region.ground.Kind;
 import troupe.scene.Ability;
 import troupe.scene.Actor;
+import troupe.unified.cost.Descent;
+import troupe.unified.cost.JourneyCosts;
 import troupe.unified.manipulation.ExpectedPath;
-import troupe.unified.manipulation.Movable;
+import troupe.unified.obstacle.Movable;
 
 /**
  * Finds the way that an actor expects to go once an obstacle is out of it (Unified section 6.3): down a

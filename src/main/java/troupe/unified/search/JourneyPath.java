@@ -7,8 +7,9 @@ import troupe.grid.GridFrame;
 import troupe.grid.region.Region;
 import troupe.grid.region.ground.Kind;
 import troupe.scene.Ability;
-import troupe.unified.manipulation.Movable;
+import troupe.unified.cost.JourneyCosts;
 import troupe.unified.manipulation.Transfer;
+import troupe.unified.obstacle.Movable;
 
 /**
  * Holds what an actor does on its way from start to goal. Immutable by contract: the arrays must not be

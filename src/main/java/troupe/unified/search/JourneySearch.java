@@ -10,6 +10,13 @@ import troupe.search.Expander;
 import troupe.search.LabelPool;
 import troupe.search.OpenList;
 import troupe.search.Outcome;
+import troupe.unified.cost.CostToGo;
+import troupe.unified.cost.Descent;
+import troupe.unified.cost.JourneyCosts;
+import troupe.unified.cost.JourneyQuery;
+import troupe.unified.cost.LegalSteps;
+import troupe.unified.cost.Moving;
+import troupe.unified.cost.Priority;
 import troupe.unified.manipulation.Instance;
 import troupe.unified.manipulation.Transfer;
 

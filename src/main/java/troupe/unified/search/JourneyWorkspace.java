@@ -6,6 +6,8 @@ import troupe.grid.region.Region;
 import troupe.search.BucketQueue;
 import troupe.search.LabelPool;
 import troupe.search.MinHeap;
+import troupe.unified.cost.FieldMemory;
+import troupe.unified.cost.JourneyCosts;
 
 /**
  * Holds the memory that searches over one region need, about 26 bytes per configuration, so that

@@ -3,6 +3,8 @@ package troupe.unified.search;
 import java.util.List;
 import java.util.Optional;
 import troupe.search.LabelPool;
+import troupe.unified.cost.CostToGo;
+import troupe.unified.cost.Priority;
 
 /**
  * Gives labels the keys that order them: by what their place of the guiding region promises, where only moving

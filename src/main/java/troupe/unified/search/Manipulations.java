@@ -13,13 +13,15 @@ import java.util.Set;
 import java.util.stream.IntStream;
 import troupe.grid.region.Reach;
 import troupe.grid.region.Region;
+import troupe.unified.cost.JourneyCosts;
+import troupe.unified.cost.Moving;
 import troupe.unified.manipulation.ConfigurationSpace;
 import troupe.unified.manipulation.ExpectedPath;
-import troupe.unified.manipulation.Grip;
 import troupe.unified.manipulation.Instance;
-import troupe.unified.manipulation.LatticePose;
-import troupe.unified.manipulation.Movable;
 import troupe.unified.manipulation.Question;
+import troupe.unified.obstacle.Grip;
+import troupe.unified.obstacle.LatticePose;
+import troupe.unified.obstacle.Movable;
 
 /**
  * Keeps the search spaces of a search and the manipulation instances in them. Which trigger points begin an instance follows from the fields alone, never

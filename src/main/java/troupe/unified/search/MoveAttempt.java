@@ -4,7 +4,7 @@ import troupe.search.Outcome;
 import troupe.unified.manipulation.ConfigurationSpace;
 import troupe.unified.manipulation.ExpectedPath;
 import troupe.unified.manipulation.Instance;
-import troupe.unified.manipulation.Movable;
+import troupe.unified.obstacle.Movable;
 
 /** Holds one manipulation instance of a search: what it moves in which space, from where, and how it stands. */
 public final class MoveAttempt {

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import troupe.search.LabelPool;
+import troupe.unified.cost.JourneyCosts;
 import troupe.unified.manipulation.Transfer;
 
 /** Follows labels back to the start and tells what was done on the way. */

@@ -7,9 +7,12 @@ import java.util.Optional;
 import troupe.geometry.Polygon;
 import troupe.grid.region.Reach;
 import troupe.grid.region.Region;
-import troupe.unified.manipulation.LatticePose;
-import troupe.unified.manipulation.Movable;
-import troupe.unified.manipulation.Surroundings;
+import troupe.unified.cost.JourneyCosts;
+import troupe.unified.cost.LegalSteps;
+import troupe.unified.cost.Moving;
+import troupe.unified.obstacle.LatticePose;
+import troupe.unified.obstacle.Movable;
+import troupe.unified.obstacle.Surroundings;
 
 /**
  * Holds the state of the scene after some obstacles have been moved, and what a search knows of it. What it

@@ -5,7 +5,7 @@ import java.util.function.IntPredicate;
 import java.util.stream.IntStream;
 import troupe.geometry.Point;
 import troupe.grid.GridFrame;
-import troupe.unified.manipulation.Movable;
+import troupe.unified.obstacle.Movable;
 
 /**
  * Holds the trigger points of one obstacle in one search space, and which of them begin a manipulation

@@ -9,7 +9,9 @@ import troupe.grid.Window;
 import troupe.grid.region.Region;
 import troupe.grid.region.Triggers;
 import troupe.scene.Actor;
-import troupe.unified.manipulation.Movable;
+import troupe.unified.cost.Descent;
+import troupe.unified.cost.Moving;
+import troupe.unified.obstacle.Movable;
 
 /**
  * Finds the trigger points of obstacles in search spaces, for each when they are first asked for: again only where

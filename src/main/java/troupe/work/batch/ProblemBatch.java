@@ -14,9 +14,9 @@ import troupe.scene.Actor;
 import troupe.scene.Preferences;
 import troupe.scene.Scene;
 import troupe.search.Outcome;
-import troupe.unified.search.JourneyCosts;
+import troupe.unified.cost.JourneyCosts;
+import troupe.unified.cost.JourneyQuery;
 import troupe.unified.search.JourneyPath;
-import troupe.unified.search.JourneyQuery;
 import troupe.unified.search.JourneySearch;
 import troupe.unified.search.JourneyWorkspace;
 

@@ -28,8 +28,8 @@ import troupe.scene.check.Problem;
 import troupe.scene.check.SceneChecks;
 import troupe.scene.check.Severity;
 import troupe.scene.xml.SceneSource;
-import troupe.unified.manipulation.Movable;
-import troupe.unified.manipulation.Surroundings;
+import troupe.unified.obstacle.Movable;
+import troupe.unified.obstacle.Surroundings;
 import troupe.work.view.Fields;
 
 /**

@@ -11,6 +11,8 @@ import troupe.geometry.Polygon;
 import troupe.geometry.Pose;
 import troupe.grid.GridFrame;
 import troupe.scene.World;
+import troupe.unified.obstacle.LatticePose;
+import troupe.unified.obstacle.Movable;
 
 /** Compares the stamped poses with each pose's own distances to the places of the path. */
 class ConfigurationSpacePropertyTest {

@@ -9,6 +9,7 @@ import java.util.Random;
 import org.junit.jupiter.api.Test;
 import troupe.grid.GridFrame;
 import troupe.scene.World;
+import troupe.unified.obstacle.Movable;
 
 /**
  * Checks what makes a bound of {@link ExitDistance}: it is 0 wherever nothing is barred, and falls by no more than a move

@@ -19,6 +19,8 @@ import troupe.scene.Ditch;
 import troupe.scene.Obstacle;
 import troupe.scene.Scene;
 import troupe.scene.World;
+import troupe.unified.obstacle.Movable;
+import troupe.unified.obstacle.Surroundings;
 
 /** Compares instances in random small scenes with a slow search that shares no code but the definitions. */
 class InstanceOracleTest {

@@ -11,6 +11,9 @@ import troupe.geometry.Polygon;
 import troupe.scene.Obstacle;
 import troupe.scene.Scene;
 import troupe.search.Outcome;
+import troupe.unified.obstacle.LatticePose;
+import troupe.unified.obstacle.Movable;
+import troupe.unified.obstacle.Surroundings;
 
 /** Puts obstacles out of the way of straight paths; results worked out by hand. */
 class InstanceTest {

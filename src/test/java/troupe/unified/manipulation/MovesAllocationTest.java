@@ -13,6 +13,11 @@ import troupe.scene.Actor;
 import troupe.scene.Ditch;
 import troupe.scene.Scene;
 import troupe.scene.World;
+import troupe.unified.obstacle.Grip;
+import troupe.unified.obstacle.Movable;
+import troupe.unified.obstacle.Support;
+import troupe.unified.obstacle.Surroundings;
+import troupe.unified.obstacle.Sweeps;
 
 /** Asserts that judging moves takes no memory once the neighbourhood has been looked at. */
 class MovesAllocationTest {

@@ -9,35 +9,37 @@ import troupe.scene.Ditch;
 import troupe.scene.Obstacle;
 import troupe.scene.Scene;
 import troupe.scene.World;
+import troupe.unified.obstacle.Movable;
+import troupe.unified.obstacle.Surroundings;
 
 /** Makes small scenes, straight expected paths and questions for the tests of this package. */
-final class Plans {
+public final class Plans {
     static final double BODY = 1.7;
 
     private Plans() {}
 
-    static Scene scene(double width, double depth, double cell, Obstacle... obstacles) {
+    public static Scene scene(double width, double depth, double cell, Obstacle... obstacles) {
         return new Scene("", new World(width, depth, cell), List.of(obstacles), List.of(), List.of(), List.of());
     }
 
-    static Scene scene(World world, List<Obstacle> obstacles, List<Ditch> ditches) {
+    public static Scene scene(World world, List<Obstacle> obstacles, List<Ditch> ditches) {
         return new Scene("", world, obstacles, ditches, List.of(), List.of());
     }
 
-    static Obstacle wall(double minX, double minY, double maxX, double maxY) {
+    public static Obstacle wall(double minX, double minY, double maxX, double maxY) {
         return solid(Polygon.rectangle(minX, minY, maxX, maxY), 0, 2, false);
     }
 
-    static Obstacle crate(double minX, double minY, double maxX, double maxY) {
+    public static Obstacle crate(double minX, double minY, double maxX, double maxY) {
         return solid(Polygon.rectangle(minX, minY, maxX, maxY), 0, 1, true);
     }
 
-    static Obstacle solid(Polygon outline, double offset, double height, boolean movable) {
+    public static Obstacle solid(Polygon outline, double offset, double height, boolean movable) {
         return new Obstacle("o", "", outline, offset, height, movable, 20, "");
     }
 
     /** Returns the path on the ground through the cells of a row from one x to another, in metres. */
-    static ExpectedPath along(Scene scene, double y, double fromX, double toX, double radius) {
+    public static ExpectedPath along(Scene scene, double y, double fromX, double toX, double radius) {
         GridFrame frame = GridFrame.of(scene.world());
         List<Integer> cells = new ArrayList<>();
         int step = fromX <= toX ? 1 : -1;
@@ -54,7 +56,7 @@ final class Plans {
                 frame, BODY, cells.stream().mapToInt(c -> c).toArray(), new double[cells.size()], radii);
     }
 
-    static Movable movable(Scene scene, int headings) {
+    public static Movable movable(Scene scene, int headings) {
         return Movable.of(scene, headings).get(0);
     }
 

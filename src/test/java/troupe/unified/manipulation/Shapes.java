@@ -9,7 +9,7 @@ public final class Shapes {
     private Shapes() {}
 
     /** Returns a star-shaped polygon about a point: three to eight corners at random distances. */
-    static Polygon star(Random random, double x, double y, double size) {
+    public static Polygon star(Random random, double x, double y, double size) {
         int corners = 3 + random.nextInt(6);
         double[] xs = new double[corners];
         double[] ys = new double[corners];
@@ -23,7 +23,7 @@ public final class Shapes {
     }
 
     /** Returns a rectangle, a turned rectangle, an L or a star within {@code size} of a point. */
-    static Polygon any(Random random, double x, double y, double size) {
+    public static Polygon any(Random random, double x, double y, double size) {
         double a = size * (0.3 + 0.4 * random.nextDouble());
         double b = size * (0.3 + 0.4 * random.nextDouble());
         return switch (random.nextInt(3)) {
@@ -34,7 +34,7 @@ public final class Shapes {
     }
 
     /** Returns the distance in metres between two outlines. */
-    static double distance(Polygon a, Polygon b) {
+    public static double distance(Polygon a, Polygon b) {
         double least = Double.POSITIVE_INFINITY;
         for (int i = 0, j = a.size() - 1; i < a.size(); j = i++) {
             least = Math.min(least, new Line(a.x(j), a.y(j), a.x(i), a.y(i)).distance(b));

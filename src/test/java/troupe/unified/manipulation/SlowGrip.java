@@ -11,12 +11,16 @@ import troupe.scene.Ability;
 import troupe.scene.Actor;
 import troupe.scene.Obstacle;
 import troupe.scene.Scene;
+import troupe.unified.obstacle.Grip;
+import troupe.unified.obstacle.LatticePose;
+import troupe.unified.obstacle.Movable;
+import troupe.unified.obstacle.Surroundings;
 
 /**
  * Says where an actor can walk with an obstacle in its grip, from the definition: its body is looked at
  * moment by moment; only what is too close to tell that way is asked of the code under test.
  */
-final class SlowGrip {
+public final class SlowGrip {
     private static final int MOMENTS = 50;
 
     /** Where a motion leads, and by how many steps. */
@@ -32,7 +36,7 @@ final class SlowGrip {
     private final double armY;
     private final int parts;
 
-    SlowGrip(Scene scene, Movable movable, Region base, int trigger) {
+    public SlowGrip(Scene scene, Movable movable, Region base, int trigger) {
         this.scene = scene;
         this.movable = movable;
         this.base = base;
@@ -46,7 +50,7 @@ final class SlowGrip {
     }
 
     /** Makes the code under test for the same question. */
-    static Grip grip(Scene scene, Movable movable, Region base, int trigger) {
+    public static Grip grip(Scene scene, Movable movable, Region base, int trigger) {
         int number = movable.number();
         return new Grip(
                 movable,
@@ -158,7 +162,7 @@ final class SlowGrip {
         return least;
     }
 
-    boolean settles(SlowInstance.State state) {
+    public boolean settles(SlowInstance.State state) {
         Region after = base.with(movable.number(), movable.outline(state.pose()));
         if (!stands(after, state.stand())) {
             return false;

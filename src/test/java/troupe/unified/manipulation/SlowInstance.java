@@ -14,14 +14,19 @@ import troupe.grid.GridFrame;
 import troupe.scene.Ditch;
 import troupe.scene.Obstacle;
 import troupe.scene.Scene;
+import troupe.unified.obstacle.LatticePose;
+import troupe.unified.obstacle.Movable;
+import troupe.unified.obstacle.SlowSweep;
+import troupe.unified.obstacle.Surroundings;
+import troupe.unified.obstacle.Sweeps;
 
 /**
  * Answers the question of an instance by Dijkstra's algorithm over maps, with motions judged moment by
  * moment; only what is too close to tell that way is asked of the code under test.
  */
-final class SlowInstance {
+public final class SlowInstance {
     /** A pose and where the actor stands. */
-    record State(LatticePose pose, int stand) {}
+    public record State(LatticePose pose, int stand) {}
 
     private record Entry(State state, long cost, long number) {}
 
@@ -29,7 +34,7 @@ final class SlowInstance {
     private final Question question;
     private final SlowGrip grip;
     private final Movable movable;
-    private final SweepsTest.Moments moments;
+    private final SlowSweep moments;
     private final Sweeps exact;
     private final Map<State, Long> best = new HashMap<>();
     private final PriorityQueue<Entry> open =
@@ -43,7 +48,7 @@ final class SlowInstance {
         this.question = question;
         this.grip = grip.orElse(null);
         this.movable = question.movable();
-        this.moments = new SweepsTest.Moments(scene, movable);
+        this.moments = new SlowSweep(scene, movable);
         this.exact = new Surroundings(scene).sweeps(movable);
     }
 

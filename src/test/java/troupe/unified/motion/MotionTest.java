@@ -18,9 +18,9 @@ import troupe.scene.Obstacle;
 import troupe.scene.Scene;
 import troupe.scene.World;
 import troupe.unified.body.SweptBody;
-import troupe.unified.manipulation.LatticePose;
-import troupe.unified.manipulation.Movable;
 import troupe.unified.manipulation.Transfer;
+import troupe.unified.obstacle.LatticePose;
+import troupe.unified.obstacle.Movable;
 
 class MotionTest {
     private static final int X = 0;

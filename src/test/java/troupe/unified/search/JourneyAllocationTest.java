@@ -8,6 +8,8 @@ import troupe.grid.region.Region;
 import troupe.scene.Actor;
 import troupe.scene.Place;
 import troupe.scene.Preferences;
+import troupe.unified.cost.JourneyCosts;
+import troupe.unified.cost.JourneyQuery;
 
 /** Asserts that a search on a workspace that has been used before takes no memory for its expansions. */
 class JourneyAllocationTest {

@@ -12,6 +12,8 @@ import troupe.exchange.scenario.MovingAiMap;
 import troupe.exchange.scenario.MovingAiProblems;
 import troupe.grid.region.Region;
 import troupe.scene.Preferences;
+import troupe.unified.cost.JourneyCosts;
+import troupe.unified.cost.JourneyQuery;
 
 /**
  * Compares lengths with the published ones on real grid maps: a sample spread over all problems, easy to

@@ -21,6 +21,10 @@ import troupe.scene.Ordering;
 import troupe.scene.Preferences;
 import troupe.scene.Scene;
 import troupe.search.Outcome;
+import troupe.unified.cost.CostToGo;
+import troupe.unified.cost.FieldMemory;
+import troupe.unified.cost.JourneyCosts;
+import troupe.unified.cost.JourneyQuery;
 
 /**
  * Compares every ordering with Dijkstra's algorithm over the whole state, on many small random worlds and

@@ -20,6 +20,8 @@ import troupe.scene.Preferences;
 import troupe.scene.Scene;
 import troupe.scene.World;
 import troupe.search.Outcome;
+import troupe.unified.cost.JourneyCosts;
+import troupe.unified.cost.JourneyQuery;
 
 class JourneySearchTest {
     private static final double CELL = 0.5;

@@ -19,7 +19,7 @@ import troupe.scene.Preferences;
  * straight and diagonal steps travelled on unstable places, and where a crossing began. Slow and plain; it
  * shares nothing with the planner but the region, and decides for itself whether a crossing is straight.
  */
-final class SlowJourney {
+public final class SlowJourney {
     private static final double SLACK = 1e-9;
 
     private record State(int at, int straight, int diagonal, int begin) {}
@@ -36,7 +36,7 @@ final class SlowJourney {
     private final int[] directions = new int[Region.MAX_NEIGHBOURS];
 
     /** Prepares a reference; {@code freely} leaves out the limits and the straightness of crossings. */
-    SlowJourney(Region region, Preferences preferences, boolean freely) {
+    public SlowJourney(Region region, Preferences preferences, boolean freely) {
         this.region = region;
         this.actor = region.actor();
         this.preferences = preferences;
@@ -48,7 +48,7 @@ final class SlowJourney {
     }
 
     /** Returns the least cost from start to goal, empty if there is no legal way. */
-    OptionalDouble leastCost(int start, int goal) {
+    public OptionalDouble leastCost(int start, int goal) {
         Map<State, Double> best = new HashMap<>();
         PriorityQueue<Entry> open = new PriorityQueue<>((a, b) -> Double.compare(a.cost, b.cost));
         State first = new State(start, 0, 0, -1);

@@ -17,7 +17,7 @@ import troupe.scene.World;
  * Makes seeded worlds of about fifteen cells a side in which every ability is worth something: bands that
  * reach from wall to wall (walls with a doorway, low walls, ditches, steps) and loose things.
  */
-final class SmallWorlds {
+public final class SmallWorlds {
     private final Random random;
     private final double width;
     private final double depth;
@@ -31,7 +31,7 @@ final class SmallWorlds {
     }
 
     /** Makes a world of cells of 0.25 m. */
-    static Scene scene(long seed) {
+    public static Scene scene(long seed) {
         SmallWorlds made = new SmallWorlds(seed);
         int bands = 1 + made.random.nextInt(2);
         double at = 0.6;
@@ -49,7 +49,7 @@ final class SmallWorlds {
     }
 
     /** Makes an actor with the given abilities and random limits and energies, tight enough to bind. */
-    static Actor actor(long seed, boolean sidesteps, boolean strides, boolean vaults) {
+    public static Actor actor(long seed, boolean sidesteps, boolean strides, boolean vaults) {
         Random random = new Random(seed * 31 + 7);
         double gait = 0.7 + 0.7 * random.nextDouble();
         double reach = 0.9 + 0.7 * random.nextDouble();
@@ -83,7 +83,7 @@ final class SmallWorlds {
     }
 
     /** Makes preferences, neutral one time in three. */
-    static Preferences preferences(long seed) {
+    public static Preferences preferences(long seed) {
         Random random = new Random(seed * 17 + 3);
         Preferences preferences = Preferences.NEUTRAL;
         if (random.nextInt(3) > 0) {

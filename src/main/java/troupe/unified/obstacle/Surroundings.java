@@ -1,4 +1,4 @@
-package troupe.unified.manipulation;
+package troupe.unified.obstacle;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -92,7 +92,7 @@ public final class Surroundings {
     }
 
     /** Returns what carries an obstacle. */
-    Support support(Movable movable) {
+    public Support support(Movable movable) {
         int n = movable.number();
         if (supports[n] == null) {
             supports[n] = new Support(scene, movable);
@@ -114,7 +114,7 @@ public final class Surroundings {
     }
 
     /** Returns the motions that an obstacle has room for. */
-    Sweeps sweeps(Movable movable) {
+    public Sweeps sweeps(Movable movable) {
         int n = movable.number();
         if (sweeps[n] == null) {
             sweeps[n] = new Sweeps(movable, scene.world(), barriers(movable));

@@ -1,4 +1,4 @@
-package troupe.unified.manipulation;
+package troupe.unified.obstacle;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
@@ -12,6 +12,8 @@ import troupe.geometry.Polygon;
 import troupe.grid.GridFrame;
 import troupe.scene.Scene;
 import troupe.scene.World;
+import troupe.unified.manipulation.Plans;
+import troupe.unified.manipulation.Shapes;
 
 /** Checks holds, outlines and stamps of movable obstacles. */
 class MovableTest {

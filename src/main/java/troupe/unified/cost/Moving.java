@@ -1,11 +1,11 @@
-package troupe.unified.search;
+package troupe.unified.cost;
 
 import java.util.List;
 import java.util.Optional;
 import troupe.grid.region.Region;
 import troupe.scene.Journey;
 import troupe.scene.Scene;
-import troupe.unified.manipulation.Movable;
+import troupe.unified.obstacle.Movable;
 
 /**
  * Says what a search may move, and how.
@@ -57,12 +57,12 @@ public record Moving(
     }
 
     /** Tells whether anything may be moved. */
-    boolean isPossible() {
+    public boolean isPossible() {
         return !movables.isEmpty();
     }
 
     /** Tells whether the actor holds what it moves. */
-    boolean grips() {
+    public boolean grips() {
         return manipulation == Journey.Manipulation.GRIP;
     }
 }

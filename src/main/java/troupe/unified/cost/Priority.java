@@ -1,4 +1,4 @@
-package troupe.unified.search;
+package troupe.unified.cost;
 
 import troupe.scene.Ordering;
 
@@ -6,7 +6,7 @@ import troupe.scene.Ordering;
  * Gives labels the keys that order them. Places are configurations of the guiding region, -1 for one that has
  * no place there. The keys of one place grow with the cost so far.
  */
-interface Priority {
+public interface Priority {
     /** The key of a label from which the goal cannot be reached. */
     long NEVER = Long.MAX_VALUE;
 

@@ -1,4 +1,4 @@
-package troupe.unified.manipulation;
+package troupe.unified.obstacle;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -15,7 +15,7 @@ import troupe.scene.Scene;
  * bottom of a ditch, and the tops of immovable obstacles. The sample is the points of a 16 x 16 grid over
  * the outline's box that lie inside it, carried along rigidly. Used by one thread at a time.
  */
-final class Support {
+public final class Support {
     private static final int SAMPLES = 16;
     private static final double SLACK = 1e-9;
 
@@ -60,7 +60,7 @@ final class Support {
     }
 
     /** Tells whether the obstacle rests at a lattice pose. Cost O(ditches) on plain ground, O(samples) at its end. */
-    boolean rests(int i, int j, int k) {
+    public boolean rests(int i, int j, int k) {
         double x = movable.centroid().x() + i * movable.cell();
         double y = movable.centroid().y() + j * movable.cell();
         if (isWhole(x, y)) {

@@ -1,4 +1,4 @@
-package troupe.unified.search;
+package troupe.unified.cost;
 
 import troupe.grid.region.Region;
 
@@ -6,7 +6,7 @@ import troupe.grid.region.Region;
  * Leads from a place down a field to the goal: what expected paths follow. Places are configurations of the
  * guiding region.
  */
-interface Descent {
+public interface Descent {
     /** Stands for no place. */
     int NONE = -1;
 
@@ -40,7 +40,7 @@ interface Descent {
         private final int[] targets = new int[Region.MAX_NEIGHBOURS];
         private final int[] directions = new int[Region.MAX_NEIGHBOURS];
 
-        Steepest(Region region, JourneyQuery.Potential potential) {
+        public Steepest(Region region, JourneyQuery.Potential potential) {
             this.region = region;
             this.potential = potential;
         }

@@ -1,4 +1,4 @@
-package troupe.unified.manipulation;
+package troupe.unified.obstacle;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -12,6 +12,10 @@ import troupe.grid.region.RegionBuilder;
 import troupe.scene.Actor;
 import troupe.scene.Scene;
 import troupe.scene.World;
+import troupe.unified.manipulation.Plans;
+import troupe.unified.manipulation.Shapes;
+import troupe.unified.manipulation.SlowGrip;
+import troupe.unified.manipulation.SlowInstance;
 
 /**
  * Compares where an actor may let go with what its body meets on the way to the centre of its cell. The

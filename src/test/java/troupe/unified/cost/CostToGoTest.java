@@ -1,4 +1,4 @@
-package troupe.unified.search;
+package troupe.unified.cost;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
@@ -15,6 +15,9 @@ import troupe.scene.Place;
 import troupe.scene.Preferences;
 import troupe.scene.Scene;
 import troupe.scene.World;
+import troupe.unified.search.JourneyWorkspace;
+import troupe.unified.search.SlowJourney;
+import troupe.unified.search.SmallWorlds;
 
 /** Compares the cost to go with a plain search over the region without limits, settled or not. */
 class CostToGoTest {

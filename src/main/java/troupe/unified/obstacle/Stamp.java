@@ -1,4 +1,4 @@
-package troupe.unified.manipulation;
+package troupe.unified.obstacle;
 
 import java.util.Arrays;
 import troupe.geometry.Box;
@@ -10,7 +10,7 @@ import troupe.grid.GridFrame;
  * Holds the cells whose centre is nearer to a polygon than a radius, in columns and rows of the world's
  * frame continued in all directions: bits for single questions, and disjoint runs for copying. Immutable.
  */
-final class Stamp {
+public final class Stamp {
     /** How far in metres a distance falls short of the radius before it counts. */
     static final double SLACK = 1e-9;
 
@@ -84,7 +84,7 @@ final class Stamp {
     }
 
     /** Returns the runs by row: row, first column, and the column after the last; the array itself. */
-    int[] runs() {
+    public int[] runs() {
         return runs;
     }
 

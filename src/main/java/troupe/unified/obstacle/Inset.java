@@ -1,4 +1,4 @@
-package troupe.unified.manipulation;
+package troupe.unified.obstacle;
 
 import troupe.geometry.Polygon;
 

@@ -1,4 +1,4 @@
-package troupe.unified.manipulation;
+package troupe.unified.obstacle;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
@@ -11,6 +11,7 @@ import troupe.scene.Ditch;
 import troupe.scene.Obstacle;
 import troupe.scene.Scene;
 import troupe.scene.World;
+import troupe.unified.manipulation.Plans;
 
 /** Checks support and what can be moved at all, worked out by hand. */
 class SurroundingsTest {

@@ -1,4 +1,4 @@
-package troupe.unified.manipulation;
+package troupe.unified.obstacle;
 
 import troupe.geometry.Line;
 import troupe.geometry.Polygon;
@@ -75,27 +75,27 @@ public final class Grip {
     }
 
     /** Returns how many spans can lie above each other. */
-    int sheets() {
+    public int sheets() {
         return without.spans().sheets();
     }
 
     /** Returns which of the spans above each other a configuration is. */
-    int sheet(int configuration) {
+    public int sheet(int configuration) {
         return configuration / cells;
     }
 
     /** Returns the straight steps that the actor takes in the turn from heading {@code lower} to the next. */
-    int straightSteps(int lower) {
+    public int straightSteps(int lower) {
         return turns.straight(lower);
     }
 
     /** Returns the diagonal steps that the actor takes in the turn from heading {@code lower} to the next. */
-    int diagonalSteps(int lower) {
+    public int diagonalSteps(int lower) {
         return turns.diagonal(lower);
     }
 
     /** Chooses the configuration of the actor and the pose of the obstacle from which moves are asked for. */
-    void choose(int configuration, int toI, int toJ, int toK) {
+    public void choose(int configuration, int toI, int toJ, int toK) {
         stand = configuration;
         i = toI;
         j = toJ;
@@ -106,7 +106,7 @@ public final class Grip {
     }
 
     /** Returns the configuration after a step in a direction, -1 if it cannot be taken. */
-    int shifted(int direction) {
+    public int shifted(int direction) {
         return step(stand, direction);
     }
 
@@ -125,7 +125,7 @@ public final class Grip {
     }
 
     /** Returns the configuration after a turn by one heading, -1 if a step on its way cannot be taken. */
-    int turned(boolean counterClockwise) {
+    public int turned(boolean counterClockwise) {
         int headings = movable.headings();
         int lower = counterClockwise ? k : (k == 0 ? headings : k) - 1;
         byte[] steps = turns.steps(lower);
@@ -149,7 +149,7 @@ public final class Grip {
     }
 
     /** Tells whether the body has room for a step in a direction that leads to a configuration. */
-    boolean canShift(int direction, int to) {
+    public boolean canShift(int direction, int to) {
         double radius = actor.walk().radius();
         double from = without.elevation(stand);
         double floor = without.elevation(to);
@@ -167,7 +167,7 @@ public final class Grip {
     }
 
     /** Tells whether the body has room for the turn that {@link #turned} was asked for last. */
-    boolean canTurn(boolean counterClockwise) {
+    public boolean canTurn(boolean counterClockwise) {
         double radius = actor.walk().radius();
         if (distance() - sweep >= radius && isLevel()) {
             return true;
@@ -222,7 +222,7 @@ public final class Grip {
      * where it is, its body has room on the way to the centre of its cell, and it can go on from there: else it
      * might pull the obstacle after itself into a dead end.
      */
-    boolean settles(int configuration, int toI, int toJ, int toK) {
+    public boolean settles(int configuration, int toI, int toJ, int toK) {
         choose(configuration, toI, toJ, toK);
         double radius = actor.walk().radius();
         double floor = without.elevation(configuration);

@@ -1,4 +1,4 @@
-package troupe.unified.search;
+package troupe.unified.cost;
 
 import java.util.Arrays;
 import troupe.grid.region.ground.Kind;
@@ -222,7 +222,7 @@ public final class JourneyCosts {
     }
 
     /** Returns the cost in J of a number of units. */
-    double joules(long units) {
+    public double joules(long units) {
         return units / unitsPerJoule;
     }
 
@@ -232,7 +232,7 @@ public final class JourneyCosts {
     }
 
     /** Returns the bits of the width of a bucket of a queue of costs: a 64th of the cheapest straight step. */
-    int bucketBits() {
+    public int bucketBits() {
         return Math.max(0, unitBits - 6);
     }
 
@@ -264,7 +264,7 @@ public final class JourneyCosts {
      * @param mass kg
      * @param turn radians between two headings
      */
-    Prices prices(double mass, double turn) {
+    public Prices prices(double mass, double turn) {
         int walk = Ability.WALK.bit() << 1;
         return new Prices(
                 moving(mass, cell, 0),
@@ -290,7 +290,7 @@ public final class JourneyCosts {
     }
 
     /** Returns the cost in units of the cheapest straight step. */
-    long cheapestStraight() {
+    public long cheapestStraight() {
         return cheapestStraight;
     }
 

@@ -1,4 +1,4 @@
-package troupe.unified.manipulation;
+package troupe.unified.obstacle;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -19,7 +19,7 @@ import troupe.scene.World;
  * <p>At each pose the distance to what is near is measured once; moves that carry no point so far need no
  * more. Used by one thread at a time; nothing is allocated once the neighbourhood is known.
  */
-final class Sweeps {
+public final class Sweeps {
     private static final double MARGIN = 1e-6;
 
     private final Movable movable;
@@ -95,12 +95,12 @@ final class Sweeps {
     }
 
     /** Tells whether the obstacle can be moved at all: not if it overlaps another where it stands. */
-    boolean isFree() {
+    public boolean isFree() {
         return free;
     }
 
     /** Chooses the pose from which moves are asked for. */
-    void choose(int i, int j, int k) {
+    public void choose(int i, int j, int k) {
         cx = movable.centroid().x() + i * movable.cell();
         cy = movable.centroid().y() + j * movable.cell();
         shape = movable.inset(k);
@@ -131,7 +131,7 @@ final class Sweeps {
     }
 
     /** Tells whether the move by one cell in a direction of {@link GridFrame} has room. */
-    boolean canShift(int direction) {
+    public boolean canShift(int direction) {
         if (count == 0) {
             return true;
         }
@@ -168,7 +168,7 @@ final class Sweeps {
     }
 
     /** Tells whether the turn by one heading, counter-clockwise or clockwise, has room. */
-    boolean canTurn(boolean counterClockwise) {
+    public boolean canTurn(boolean counterClockwise) {
         if (count == 0 || chord * chord < distanceSquared()) {
             return true;
         }

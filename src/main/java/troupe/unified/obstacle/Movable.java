@@ -1,4 +1,4 @@
-package troupe.unified.manipulation;
+package troupe.unified.obstacle;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -128,7 +128,7 @@ public final class Movable {
     }
 
     /** Returns the radius in metres of the largest disc about the centroid in the obstacle, 0 if that lies outside of it. */
-    double innerRadius() {
+    public double innerRadius() {
         return inner;
     }
 
@@ -206,7 +206,7 @@ public final class Movable {
      * Returns the cells of the world's frame whose centre is nearer than {@code radius}, by more than 1e-9 m,
      * to the obstacle turned to heading {@code k} where it stands. The cells may lie outside of the frame.
      */
-    Stamp stamp(int k, double radius) {
+    public Stamp stamp(int k, double radius) {
         Stamp[] known = stamps.get(k);
         if (known != null) {
             for (Stamp stamp : known) {

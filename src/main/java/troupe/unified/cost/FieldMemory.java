@@ -1,4 +1,4 @@
-package troupe.unified.search;
+package troupe.unified.cost;
 
 import java.util.Arrays;
 import java.util.BitSet;
@@ -13,7 +13,7 @@ import troupe.search.BucketQueue;
  * stamp takes the place of clearing, and what a step needs to know of a place is found when first asked for. One search
  * at a time owns it. Used by one thread at a time.
  */
-final class FieldMemory {
+public final class FieldMemory {
     /** How many stamps a generation has. */
     static final int STAMPS = 16;
 
@@ -24,7 +24,7 @@ final class FieldMemory {
     static final int SETTLED = ANY + 1;
 
     /** The greatest generation. */
-    static final int LAST_GENERATION = (Integer.MAX_VALUE >> 4) - 1;
+    public static final int LAST_GENERATION = (Integer.MAX_VALUE >> 4) - 1;
 
     /** Bits of {@link #local(int)} above the eight of the legal steps: no other steps need to be looked at. */
     static final int PLAIN = 1 << 8;
@@ -74,7 +74,7 @@ final class FieldMemory {
      *
      * @param relaxed whether it is a widest region, where a step on a floor costs no more than one of a vault
      */
-    FieldMemory(Region region, boolean relaxed) {
+    public FieldMemory(Region region, boolean relaxed) {
         this.region = region;
         this.relaxed = relaxed;
         offsets = region.frame().offsets();

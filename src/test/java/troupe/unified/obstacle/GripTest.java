@@ -1,4 +1,4 @@
-package troupe.unified.manipulation;
+package troupe.unified.obstacle;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
@@ -13,6 +13,14 @@ import troupe.grid.region.RegionBuilder;
 import troupe.scene.Actor;
 import troupe.scene.Scene;
 import troupe.search.Outcome;
+import troupe.unified.manipulation.ConfigurationSpace;
+import troupe.unified.manipulation.ExpectedPath;
+import troupe.unified.manipulation.Instance;
+import troupe.unified.manipulation.Plans;
+import troupe.unified.manipulation.Prices;
+import troupe.unified.manipulation.Question;
+import troupe.unified.manipulation.SlowGrip;
+import troupe.unified.manipulation.Transfer;
 
 /** Moves obstacles with an actor that holds them; results worked out by hand. */
 class GripTest {

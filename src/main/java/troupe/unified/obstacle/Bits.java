@@ -1,11 +1,11 @@
-package troupe.unified.manipulation;
+package troupe.unified.obstacle;
 
 /** Sets and reads rows of bits kept in a shared array of words. */
-final class Bits {
+public final class Bits {
     private Bits() {}
 
     /** Sets the bits {@code [from, to)} of the row that begins at word {@code base}. */
-    static void set(long[] words, int base, int from, int to) {
+    public static void set(long[] words, int base, int from, int to) {
         if (from >= to) {
             return;
         }

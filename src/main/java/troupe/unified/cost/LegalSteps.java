@@ -1,4 +1,4 @@
-package troupe.unified.search;
+package troupe.unified.cost;
 
 import troupe.grid.region.Region;
 import troupe.grid.region.ground.Kind;
@@ -15,7 +15,7 @@ import troupe.grid.region.ground.Kind;
  *   <li>It ends at a stable place where one can walk, if a straight crossing leads there from its beginning.
  * </ul>
  */
-final class LegalSteps {
+public final class LegalSteps {
     private static final int NONE = -1;
 
     private final Region region;
@@ -29,7 +29,7 @@ final class LegalSteps {
     private int begin;
 
     /** Makes the rules for a region. */
-    LegalSteps(Region region, JourneyCosts costs) {
+    public LegalSteps(Region region, JourneyCosts costs) {
         this.region = region;
         this.costs = costs;
         spans = region.spanCount();
@@ -46,7 +46,7 @@ final class LegalSteps {
      * @param to a neighbour of {@code from}
      * @param direction the direction of the step
      */
-    boolean check(int from, double usedUp, int begun, int to, int direction) {
+    public boolean check(int from, double usedUp, int begun, int to, int direction) {
         if (to < spans) {
             return from < spans ? stands(from, usedUp, to, direction) : lands(from, begun, to, direction);
         }
@@ -92,17 +92,17 @@ final class LegalSteps {
     }
 
     /** Returns the cost in units of the step that was legal. */
-    long cost() {
+    public long cost() {
         return cost;
     }
 
     /** Returns the metres travelled on unstable places after the step that was legal. */
-    double used() {
+    public double used() {
         return used;
     }
 
     /** Returns where the crossing that is under way after the step began, or -1 for none. */
-    int begin() {
+    public int begin() {
         return begin;
     }
 }

@@ -1,4 +1,4 @@
-package troupe.unified.search;
+package troupe.unified.cost;
 
 import troupe.grid.GridFrame;
 import troupe.grid.region.Region;
@@ -21,9 +21,9 @@ import troupe.search.Outcome;
  * <p>Source: reverse resumable A* (Silver, Cooperative Pathfinding, 2005), over the moves of Unified
  * section 7. Cost of a whole search: O(n log b) for n configurations and b entries in a bucket.
  */
-final class CostToGo implements Expander {
+public final class CostToGo implements Expander {
     /** The bound of a configuration from which the goal cannot be reached. */
-    static final long UNREACHABLE = Long.MAX_VALUE / 4;
+    public static final long UNREACHABLE = Long.MAX_VALUE / 4;
 
     private static final Outcome NOTHING_LEFT = new Outcome.Infeasible("everything that reaches the goal is settled");
 
@@ -81,7 +81,7 @@ final class CostToGo implements Expander {
      * @param towards near where the cost to go will be asked for first
      * @param ends where ways end, and what each end costs besides
      */
-    CostToGo(FieldMemory memory, JourneyCosts costs, int towards, Ends ends) {
+    public CostToGo(FieldMemory memory, JourneyCosts costs, int towards, Ends ends) {
         this.memory = memory;
         this.region = memory.region;
         this.costs = costs;
@@ -117,9 +117,9 @@ final class CostToGo implements Expander {
      * @param places configurations
      * @param costs what each costs in units, from 0
      */
-    record Ends(int[] places, long[] costs) {
+    public record Ends(int[] places, long[] costs) {
         /** Returns that ways end at a goal, which costs nothing. */
-        static Ends at(int goal) {
+        public static Ends at(int goal) {
             return new Ends(new int[] {goal}, new long[1]);
         }
     }
@@ -130,7 +130,7 @@ final class CostToGo implements Expander {
     }
 
     /** Returns a bound on the cost to go in units: exact if settled, {@link #UNREACHABLE} if there is no way. */
-    long bound(int configuration) {
+    public long bound(int configuration) {
         if (stamps[configuration] == isSettled) {
             return toGo[configuration];
         }
@@ -141,7 +141,7 @@ final class CostToGo implements Expander {
     }
 
     /** Asks for a configuration to be settled, or for its bound to rise to at least {@code bound}. */
-    void want(int configuration, long bound) {
+    public void want(int configuration, long bound) {
         wanted = configuration;
         wantedFrontier = bound + fromStart(configuration);
     }
@@ -150,14 +150,14 @@ final class CostToGo implements Expander {
      * Asks for configurations to be settled so far that every way of least cost from them is: no open place can
      * come before them any more. Whether it is so is told by {@link #isExact}.
      */
-    void wantExact(int[] configurations) {
+    public void wantExact(int[] configurations) {
         exact = configurations;
         exactCount = 0;
         exactKey = -1;
     }
 
     /** Tells whether what {@link #wantExact} asked for is there, or will never be. */
-    boolean isExact() {
+    public boolean isExact() {
         while (exactCount < exact.length && stamps[exact[exactCount]] == isSettled) {
             exactKey = Math.max(exactKey, toGo[exact[exactCount]] + fromStart(exact[exactCount]));
             exactCount++;
@@ -174,19 +174,19 @@ final class CostToGo implements Expander {
      * Tells whether what was asked for is there, or will never be. The search has then looked at the next
      * open place, too, so that what it knows does not depend on how the work was sliced.
      */
-    boolean hasAnswered() {
+    public boolean hasAnswered() {
         return search.isWaiting() || !search.outcome().isRunning();
     }
 
     /** Works towards what was asked for, with at most {@code budget} expansions; returns those made. */
-    long advance(long budget) {
+    public long advance(long budget) {
         long before = search.expanded();
         search.step(budget);
         return search.expanded() - before;
     }
 
     /** Returns the expansions so far. */
-    long expanded() {
+    public long expanded() {
         return search.expanded();
     }
 

@@ -1,4 +1,4 @@
-package troupe.unified.manipulation;
+package troupe.unified.obstacle;
 
 import java.util.ArrayList;
 import java.util.List;

@@ -1,4 +1,4 @@
-package troupe.unified.manipulation;
+package troupe.unified.obstacle;
 
 /**
  * Names a pose of a movable obstacle on the lattice anchored at its own: {@code i} and {@code j} cells along
