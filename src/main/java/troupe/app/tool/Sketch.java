@@ -95,6 +95,7 @@ public final class Sketch {
         }
     }
 
+    /** Returns a line between places in metres, in pixels. */
     public static Line2D line(Viewport view, Point from, Point to) {
         return new Line2D.Double(view.px(from.x()), view.py(from.y()), view.px(to.x()), view.py(to.y()));
     }

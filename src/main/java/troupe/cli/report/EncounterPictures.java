@@ -21,10 +21,13 @@ import troupe.scene.Encounter;
 
 /** Draws what the actor of an encounter expected at a time of a saved run. */
 public final class EncounterPictures {
+    /** Which views are drawn. */
     public static final Option SHOW =
             Option.of("--show", "KEYS", "of an encounter: probability, risk, expected-path, plan-before, plan");
+    /** How far ahead views look. */
     public static final Option AHEAD =
             Option.of("--ahead", "S", "the seconds beyond --at that probability and risk are shown for");
+    /** Where the strip over time goes. */
     public static final Option STRIP =
             Option.of("--strip", "FILE", "of an encounter: how likely the plan meets whom, over time");
 

@@ -30,6 +30,7 @@ public final class EncounterTable {
         private final List<Double> firsts = new ArrayList<>();
     }
 
+    /** Returns the line with the names of the columns. */
     public static String header() {
         List<String> words = new ArrayList<>(List.of("case", "method", "outcome", "avatars"));
         words.addAll(COLUMNS);
@@ -37,6 +38,7 @@ public final class EncounterTable {
         return Csv.line(words);
     }
 
+    /** Returns the line of one encounter, and counts it in. */
     public String line(EncounterBatch.Row row) {
         Report report = row.run().report();
         Encounter encounter = (Encounter) row.of().scene().task(row.of().task()).orElseThrow();

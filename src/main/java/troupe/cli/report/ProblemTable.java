@@ -14,6 +14,7 @@ public final class ProblemTable {
     private int different;
     private String firstDifferent = "";
 
+    /** Begins the table of a batch. */
     public ProblemTable(ProblemBatch batch) {
         this.batch = batch;
     }
@@ -36,10 +37,12 @@ public final class ProblemTable {
         return line;
     }
 
+    /** Returns how many lines there were. */
     public int count() {
         return count;
     }
 
+    /** Tells whether every length was the one that the batch expects. */
     public boolean allEqual() {
         return different == 0;
     }

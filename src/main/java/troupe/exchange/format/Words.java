@@ -14,6 +14,7 @@ public final class Words {
     private final int action;
     private final List<String> actions;
 
+    /** Reads the words of one owner from frames. */
     public Words(Frames frames, Track track) {
         this.frames = frames;
         this.track = track;

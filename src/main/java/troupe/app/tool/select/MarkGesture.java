@@ -20,6 +20,7 @@ public final class MarkGesture implements Gesture {
     private final Mark mark;
     private final Scene scene;
 
+    /** Begins to move a place from where the pointer went down. */
     public MarkGesture(Editing editing, Pointer from, Mark mark) {
         this.editing = editing;
         this.from = from;

@@ -67,18 +67,22 @@ public final class Crossings {
         return keys;
     }
 
+    /** Returns how many there are. */
     public int size() {
         return keys.length;
     }
 
+    /** Returns the cell over which a crossing lies. */
     public int cell(int i) {
         return cell(keys[i]);
     }
 
+    /** Returns the take-off floor of a crossing. */
     public int level(int i) {
         return level(keys[i]);
     }
 
+    /** Returns the kind of a crossing. */
     public byte kind(int i) {
         return kind(keys[i]);
     }

@@ -33,6 +33,7 @@ public final class Clearance {
     private final GridFrame frame;
     private volatile float[] field;
 
+    /** Prepares the distances for a structure with movable obstacles where they stand; they are worked out when first asked for. */
     public Clearance(Structure structure, Solid[] movables) {
         this.scene = structure.scene();
         this.actor = structure.actor();

@@ -37,10 +37,12 @@ public final class Solid {
         return obstacle;
     }
 
+    /** Returns where it stands, in metres. */
     public Polygon outline() {
         return obstacle.outline();
     }
 
+    /** Returns the height of its top over the world, in metres. */
     public double top() {
         return obstacle.top();
     }
@@ -71,6 +73,7 @@ public final class Solid {
         return inRange(obstacle.top(), floor, vault) && obstacle.top() > floor + actor.stepHeight() + Column.SAME;
     }
 
+    /** Tells whether a top, in metres, can be vaulted by a body that takes off from a floor. */
     public static boolean inRange(double top, double floor, Actor.Vault vault) {
         return top >= floor + vault.minHeight() - Column.SAME && top <= floor + vault.maxHeight() + Column.SAME;
     }

@@ -70,22 +70,27 @@ public final class Structure {
         return actor.stride().isPresent() || actor.vault().isPresent();
     }
 
+    /** Returns the scene. */
     public Scene scene() {
         return scene;
     }
 
+    /** Returns the actor profile. */
     public Actor actor() {
         return actor;
     }
 
+    /** Returns what is solid over each cell. */
     public Columns columns() {
         return columns;
     }
 
+    /** Returns the floors over each cell, with their ceilings. */
     public Spans spans() {
         return spans;
     }
 
+    /** Returns where the immovable obstacles let one stand. */
     public Standing standing() {
         return standing;
     }
@@ -95,6 +100,7 @@ public final class Structure {
         return fixed;
     }
 
+    /** Returns where one can take off, as the immovable obstacles have it. */
     public CrossingSurvey survey() {
         return survey;
     }
