@@ -78,7 +78,7 @@ public final class TaskPainter {
         g.draw(ring);
     }
 
-    /** Paints a goal: a ring with a flag in its colour. */
+    /** Paints a goal: a flag whose foot is the goal. */
     public static void paintGoal(Graphics2D g, Theme theme, Color colour, Place goal, Viewport view) {
         double x = view.px(goal.x());
         double y = view.py(goal.y());
