@@ -44,7 +44,7 @@ public final class CrowdBench {
     record Kind(String name, double density, boolean town) {}
 
     private static final List<Kind> KINDS =
-            List.of(new Kind("open", 0.25, false), new Kind("dense", 2, false), new Kind("town", 0.5, true));
+            List.of(new Kind("open", 0.25, false), new Kind("dense", 1.5, false), new Kind("town", 0.5, true));
 
     /** Runs all, or the kinds named. */
     public static void main(String[] arguments) {
