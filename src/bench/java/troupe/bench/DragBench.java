@@ -110,6 +110,11 @@ public class DragBench {
         }
 
         @Override
+        public Scene convert(Path file) {
+            throw new UnsupportedOperationException("the benchmark reads no file");
+        }
+
+        @Override
         public void write(Scene written, Path file) {
             throw new UnsupportedOperationException("the benchmark writes no file");
         }

@@ -13,6 +13,8 @@ import troupe.app.document.SceneDocument;
 import troupe.app.look.Look;
 import troupe.app.look.widget.Question;
 import troupe.app.session.Session;
+import troupe.exchange.Formats;
+import troupe.exchange.format.Importer;
 
 /** Asks which file to open or to save to, and what to do with what is not saved. */
 final class FileDialogs {
@@ -29,11 +31,25 @@ final class FileDialogs {
     /** Asks for a scene and opens it. */
     void open() {
         unlessUnsaved(() -> {
-            JFileChooser chooser = chooser("xml", "file.scenes");
+            JFileChooser chooser = chooser("file.scenes", "xml");
             if (chooser.showOpenDialog(frame) == JFileChooser.APPROVE_OPTION) {
                 session.open(chooser.getSelectedFile().toPath());
             }
         });
+    }
+
+    /**
+     * Asks for a file of another program, and puts the scene it describes in place of the one shown, as one step.
+     *
+     * @param then what is done after it
+     */
+    void importScene(Runnable then) {
+        String[] endings = Formats.importers().stream().map(Importer::extension).toArray(String[]::new);
+        JFileChooser chooser = chooser("file.foreign", endings);
+        if (chooser.showOpenDialog(frame) == JFileChooser.APPROVE_OPTION) {
+            Path file = chooser.getSelectedFile().toPath();
+            session.importFrom(file, look.texts().format("edit.import", file.getFileName()), then);
+        }
     }
 
     /** Saves to the document's file, or asks for one. */
@@ -59,9 +75,9 @@ final class FileDialogs {
         return file.isPresent();
     }
 
-    private JFileChooser chooser(String ending, String words) {
+    private JFileChooser chooser(String words, String... endings) {
         JFileChooser chooser = new JFileChooser();
-        chooser.setFileFilter(new FileNameExtensionFilter(look.text(words), ending));
+        chooser.setFileFilter(new FileNameExtensionFilter(look.text(words), endings));
         Path folder = session.document()
                 .file()
                 .map(f -> f.toAbsolutePath().getParent())
@@ -71,7 +87,7 @@ final class FileDialogs {
     }
 
     private Optional<Path> ask(String ending, String words) {
-        JFileChooser chooser = chooser(ending, words);
+        JFileChooser chooser = chooser(words, ending);
         String offered = FileWords.plain(session.document(), look.texts()).replaceAll("[^\\p{L}\\p{N}. _-]+", "-");
         chooser.setSelectedFile(new File(offered.endsWith("." + ending) ? offered : offered + "." + ending));
         if (chooser.showSaveDialog(frame) != JFileChooser.APPROVE_OPTION) {

@@ -21,6 +21,9 @@ import troupe.app.session.SceneText;
 import troupe.app.session.Session;
 import troupe.app.settings.Opening;
 import troupe.app.settings.StudioSettings;
+import troupe.exchange.Formats;
+import troupe.exchange.format.ExchangeException;
+import troupe.exchange.format.Importer;
 import troupe.grid.region.Groundworks;
 import troupe.run.Engine;
 import troupe.run.view.GridOverlays;
@@ -100,11 +103,27 @@ public final class Studio {
         }
     }
 
-    /** Reads and writes the scene format. */
+    private static List<String> endings() {
+        return Formats.importers().stream().map(i -> "." + i.extension()).toList();
+    }
+
+    /** Reads and writes the scene format, and reads every format that there is an importer for. */
     static final SceneFiles FILES = new SceneFiles() {
         @Override
         public Scene read(Path file) throws SceneException, IOException {
             return SceneXml.read(file).scene();
+        }
+
+        @Override
+        public Scene convert(Path file) throws ExchangeException, IOException {
+            Importer importer = Formats.importerFor(file)
+                    .orElseThrow(() -> new ExchangeException(
+                            String.valueOf(file.getFileName()),
+                            0,
+                            0,
+                            "the ending names no format",
+                            "choose a file that ends with " + String.join(" or ", endings())));
+            return importer.read(file);
         }
 
         @Override

@@ -93,6 +93,7 @@ final class StudioCommands implements AutoCloseable {
         commands.add("file", "save", files::save);
         commands.add("file", "saveas", files::saveAs);
         commands.separate();
+        commands.add("file", "import", () -> files.importScene(canvas::fit));
         Command export = commands.add("file", "export", this::export);
         Consumer<Playback> able = now -> export.setEnabled(session.run().isPresent());
         able.accept(session.playback());

@@ -28,10 +28,10 @@ class ChineseRobotTest extends RobotTest {
     /** The rest of a word that had no room, the letter of a shortcut, a path. */
     private static final Pattern NO_WORDS = Pattern.compile("\\w*\u2026$|\\w*\\.\\.\\.$|\\+[A-Z]\\b|\\S*/\\S{3,}");
 
-    private static final String NAMES = "Troupe Guy English PedPy Maya Blender JDK Java";
+    private static final String NAMES = "Troupe Guy English PedPy Maya Blender JDK Java MovingAI NAMOSIM";
     private static final String KEYS = "Ctrl Shift Alt Esc Enter Escape Backspace Delete Home Page Up Down F";
     private static final String UNITS = "m cm kg s ms J x y z w rad GB px";
-    private static final String FORMATS = "xml run gif png pngs csv svg mel blender pedpy";
+    private static final String FORMATS = "xml run gif png pngs csv svg map mel blender pedpy";
     /** Words of commands that the guide quotes. */
     private static final String COMMANDS = "java jar open my-scene";
 

@@ -32,7 +32,7 @@ final class DialogStages {
 
     /** Goes through all stages. The window shows a scene that is saved, and has a run, when this begins. */
     void walk() {
-        for (String command : List.of("saveas", "saverun", "openrun")) {
+        for (String command : List.of("import", "saveas", "saverun", "openrun")) {
             shown(command, () -> perform(command), dialog -> holds(dialog.getContentPane()));
         }
         help("about", "about.text");

@@ -12,6 +12,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
+import javax.swing.JDialog;
+import javax.swing.JFileChooser;
 import javax.swing.JMenu;
 import javax.swing.TransferHandler.TransferSupport;
 import org.junit.jupiter.api.Test;
@@ -134,6 +137,39 @@ class StartPageRobotTest extends RobotTest {
             recent.getMenuListeners()[0].menuSelected(null);
             assertEquals("stairs.xml", recent.getItem(0).getText());
         });
+    }
+
+    @Test
+    void aMapIsImportedAsAStepThatIsTakenBack() throws Exception {
+        Scene before = studio.scene();
+        Path map = folder.resolve("arena.map");
+        Files.writeString(map, "type octile\nheight 3\nwidth 4\nmap\n....\n.@@.\n....\n");
+        studio.keys(KeyEvent.VK_CONTROL, KeyEvent.VK_SHIFT, KeyEvent.VK_I);
+        Await.until("a file is asked for", () -> chooser().isPresent());
+        JFileChooser chooser = OnEventThread.get(() -> chooser().orElseThrow());
+        OnEventThread.run(() -> {
+            assertTrue(chooser.getFileFilter().accept(map.toFile()));
+            assertFalse(chooser.getFileFilter().accept(studio.file().toFile()));
+            chooser.setSelectedFile(map.toFile());
+        });
+        studio.keys(KeyEvent.VK_ENTER);
+        Await.until("imported", () -> document().scene().world().width() == 4);
+        assertEquals(
+                Optional.of(studio.file()), OnEventThread.get(() -> document().file()));
+        Await.until("the chooser is gone", () -> chooser().isEmpty());
+        studio.click(studio.window().canvas(), 3, studio.window().canvas().getHeight() - 60);
+        Await.until("the canvas has the focus", () -> studio.window().canvas().isFocusOwner());
+        studio.keys(KeyEvent.VK_CONTROL, KeyEvent.VK_Z);
+        Await.until("taken back", () -> document().scene().equals(before));
+    }
+
+    private Optional<JFileChooser> chooser() {
+        return Stream.of(studio.window().frame().getOwnedWindows())
+                .filter(window -> window instanceof JDialog && window.isShowing())
+                .map(window -> ((JDialog) window).getContentPane().getComponent(0))
+                .filter(JFileChooser.class::isInstance)
+                .map(JFileChooser.class::cast)
+                .findFirst();
     }
 
     @Test

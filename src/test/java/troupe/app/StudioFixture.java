@@ -31,6 +31,7 @@ import troupe.app.plan.PlanningSteps;
 import troupe.app.session.SceneFiles;
 import troupe.app.session.Session;
 import troupe.app.settings.StudioSettings;
+import troupe.exchange.format.ExchangeException;
 import troupe.paint.Viewport;
 import troupe.run.Engine;
 import troupe.run.view.Overlay;
@@ -94,6 +95,12 @@ final class StudioFixture implements AutoCloseable {
         public Scene read(Path from) throws SceneException, IOException {
             assertFalse(EventQueue.isDispatchThread());
             return Studio.FILES.read(from);
+        }
+
+        @Override
+        public Scene convert(Path from) throws ExchangeException, IOException {
+            assertFalse(EventQueue.isDispatchThread());
+            return Studio.FILES.convert(from);
         }
 
         @Override

@@ -17,6 +17,11 @@ public final class Studios {
         }
 
         @Override
+        public Scene convert(Path file) throws IOException {
+            throw new IOException(file + ": not here");
+        }
+
+        @Override
         public void write(Scene scene, Path file) throws IOException {
             throw new IOException(file + ": not here");
         }

@@ -19,6 +19,7 @@ import troupe.app.plan.PlanningSteps;
 import troupe.app.plan.Snapshot;
 import troupe.app.plan.Work;
 import troupe.app.play.Playback;
+import troupe.exchange.format.ExchangeException;
 import troupe.run.Run;
 import troupe.run.frame.Frames;
 import troupe.scene.Scene;
@@ -243,6 +244,28 @@ public final class Session implements AutoCloseable {
                 Scene read = files.read(file);
                 eventThread.execute(() -> document.open(read, belongs));
             } catch (SceneException | IOException e) {
+                tell(new Notice(true, Failures.line(file, e)));
+            }
+        });
+    }
+
+    /**
+     * Puts the scene that another program's file describes in place of the one shown, as one step of the history; a file
+     * that cannot be read leaves everything as it is, with a notice.
+     *
+     * @param step the name of the step
+     * @param then what is done after it
+     */
+    public void importFrom(Path file, String step, Runnable then) {
+        EventThread.require();
+        background.execute(() -> {
+            try {
+                Scene read = files.convert(file);
+                eventThread.execute(() -> {
+                    document.commit(step, read);
+                    then.run();
+                });
+            } catch (ExchangeException | IOException e) {
                 tell(new Notice(true, Failures.line(file, e)));
             }
         });

@@ -39,6 +39,11 @@ class AutosaveTest {
         }
 
         @Override
+        public Scene convert(Path from) throws IOException {
+            throw new IOException(from + ": not a scene");
+        }
+
+        @Override
         public void write(Scene scene, Path to) throws IOException {
             assertFalse(EventQueue.isDispatchThread());
             SceneXml.write(scene, to);

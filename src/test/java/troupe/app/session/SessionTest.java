@@ -21,6 +21,7 @@ import troupe.app.Scenes;
 import troupe.app.ScriptedSteps;
 import troupe.app.document.SceneDocument;
 import troupe.app.document.SceneEdits;
+import troupe.exchange.format.ExchangeException;
 import troupe.scene.Scene;
 import troupe.scene.xml.SceneException;
 
@@ -39,6 +40,14 @@ class SessionTest implements SceneFiles {
         }
         if (!disk.containsKey(file)) {
             throw new IOException(file + ": not found");
+        }
+        return disk.get(file);
+    }
+
+    @Override
+    public Scene convert(Path file) throws ExchangeException, IOException {
+        if (file.endsWith("broken.map")) {
+            throw new ExchangeException("broken.map", 4, 0, "a row of 3 cells", "give 4, as the width says");
         }
         return disk.get(file);
     }
@@ -116,6 +125,36 @@ class SessionTest implements SceneFiles {
         assertEquals(Scenes.room(), session.document().scene());
         assertEquals(List.of(), session.selection().ids());
         awaitPlan();
+    }
+
+    @Test
+    void whatIsImportedIsOneStepOfTheHistory() {
+        Scene before = session.document().scene();
+        Path map = Path.of("arena.map");
+        disk.put(map, new Scene("arena", Scenes.room().world(), List.of(), List.of(), List.of(), List.of()));
+        List<String> done = new ArrayList<>();
+        OnEventThread.run(() -> session.importFrom(map, "Import arena.map", () -> done.add("then")));
+        Await.until("imported", () -> done.size() == 1);
+        assertEquals(disk.get(map), session.document().scene());
+        assertTrue(session.document().isUnsaved());
+        assertEquals(Optional.of(FILE), session.document().file());
+        OnEventThread.run(() -> session.document().history().stepBack());
+        assertEquals(before, session.document().scene());
+        OnEventThread.run(() -> session.document().history().stepForward());
+        assertEquals(disk.get(map), session.document().scene());
+    }
+
+    @Test
+    void whatCannotBeImportedLeavesTheDocumentAndSaysWhy() {
+        Scene before = session.document().scene();
+        OnEventThread.run(() -> session.importFrom(Path.of("broken.map"), "Import", () -> {
+            throw new AssertionError("nothing was imported");
+        }));
+        Await.until("a notice", () -> notices.size() == 1);
+        assertEquals(
+                "broken.map:4: a row of 3 cells; give 4, as the width says",
+                notices.get(0).text());
+        assertSame(before, session.document().scene());
     }
 
     @Test
