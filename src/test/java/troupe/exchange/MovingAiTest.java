@@ -108,7 +108,7 @@ class MovingAiTest {
                 SMALL.replace(".@@.", ".@x."));
         assertMessage("small.map:6: a row of 3 cells; give 4, as the width says", SMALL.replace(".@@G", ".@@"));
         assertMessage("small.map:6: ends before row 3 of 3; give the whole file", SMALL.replace("TSWO\n", ""));
-        assertMessage("small.map:8:1: found '....'; end the map after 3 rows", SMALL + "....\n");
+        assertMessage("small.map:8:1: the line does not belong here; end the map after 3 rows", SMALL + "....\n");
         assertMessage(
                 "small.map:3: width is '99999'; give a whole number from 1 to 65536",
                 SMALL.replace("width 4", "width 99999"));

@@ -61,9 +61,9 @@ public final class MovingAiMap {
     /** Reads a map from a stream, which stays open; {@code name} names it in messages and in the scene. */
     public static MovingAiMap read(InputStream in, String name) throws IOException, ExchangeException {
         TextLines lines = TextLines.read(in, name, 2 * MAX_CELLS);
-        String type = lines.require("the line 'type octile'");
+        String type = lines.require("'type octile'");
         if (!type.strip().matches("type\\s+\\S+")) {
-            throw lines.wrong(1, "found " + ExchangeException.quoted(type), "a map begins with 'type octile'");
+            throw lines.wrong(1, "this is no map of MovingAI", "a map begins with 'type octile'");
         }
         int width = 0;
         int height = 0;
@@ -74,8 +74,7 @@ public final class MovingAiMap {
             } else if (words.length == 2 && words[0].equals("height") && height == 0) {
                 height = lines.whole(words[1], "height", 1, MAX_SIDE);
             } else {
-                throw lines.wrong(
-                        1, "found " + ExchangeException.quoted(line), "give one 'height N', one 'width N', then 'map'");
+                throw lines.wrong(1, "the line does not belong here", "give one 'height N', one 'width N', then 'map'");
             }
         }
         if (width == 0 || height == 0 || (long) width * height > MAX_CELLS) {
@@ -108,8 +107,7 @@ public final class MovingAiMap {
         }
         for (String rest = lines.next(); rest != null; rest = lines.next()) {
             if (!rest.isBlank()) {
-                throw lines.wrong(
-                        1, "found " + ExchangeException.quoted(rest), "end the map after " + height + " rows");
+                throw lines.wrong(1, "the line does not belong here", "end the map after " + height + " rows");
             }
         }
         return blocked;

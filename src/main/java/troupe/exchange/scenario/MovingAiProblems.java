@@ -76,7 +76,7 @@ public final class MovingAiProblems {
     /** Reads problems from a stream, which stays open; {@code name} names it in messages. */
     public static List<Problem> read(InputStream in, String name) throws IOException, ExchangeException {
         TextLines lines = TextLines.read(in, name, MAX_BYTES);
-        String version = lines.require("the line 'version 1'");
+        String version = lines.require("'version 1'");
         if (!version.strip().matches("version\\s+1(\\.0*)?")) {
             throw lines.wrong(1, "found " + ExchangeException.quoted(version), "a file begins with 'version 1'");
         }

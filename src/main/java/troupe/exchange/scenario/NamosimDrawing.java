@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.regex.Pattern;
 import org.xml.sax.Attributes;
 import org.xml.sax.Locator;
 import org.xml.sax.SAXException;
@@ -16,6 +17,7 @@ import org.xml.sax.SAXParseException;
 import org.xml.sax.helpers.DefaultHandler;
 import troupe.exchange.format.ExchangeException;
 import troupe.scene.xml.StrictXml;
+import troupe.scene.xml.XmlMistakes;
 
 /**
  * Reads the parts of an SVG drawing that NAMOSIM looks at, in the order of the file: its size, its typed
@@ -26,6 +28,13 @@ import troupe.scene.xml.StrictXml;
 final class NamosimDrawing extends DefaultHandler {
     private static final int MAX_ELEMENTS = 100_000;
     private static final int MAX_DEPTH = 64;
+    private static final String NOT_UTF = "the file is not UTF-8 text";
+    private static final String SAVE_AS_UTF = "save it as UTF-8";
+    /** What to do about a scene file does not help with a drawing. */
+    private static final Pattern OF_SCENES = Pattern.compile("\\bscene\\b|\\btroupe\\b");
+
+    private static final Pattern LONG_NAME = Pattern.compile("([^\\s<>\"=/;&]{40})[^\\s<>\"=/;&]+");
+
     private static final Set<String> OTHER_SHAPES =
             Set.of("rect", "circle", "ellipse", "line", "polyline", "polygon", "use", "text", "image");
 
@@ -66,24 +75,43 @@ final class NamosimDrawing extends DefaultHandler {
         try {
             StrictXml.parse(bytes, Optional.empty(), drawing);
         } catch (SAXParseException e) {
-            throw new ExchangeException(name, e.getLineNumber(), e.getColumnNumber(), message(e), cure(e));
+            XmlMistakes.Mistake mistake = mistake(e);
+            throw new ExchangeException(
+                    name, e.getLineNumber(), e.getColumnNumber(), mistake.message(), mistake.cure());
         } catch (SAXException e) {
-            throw e.getException() instanceof ExchangeException own ? own : drawing.wrong(message(e), cure(e));
+            XmlMistakes.Mistake mistake = mistake(e);
+            throw e.getException() instanceof ExchangeException own
+                    ? own
+                    : drawing.wrong(mistake.message(), mistake.cure());
         } catch (IOException e) {
             // the bytes are in memory: only malformed characters come as an IOException
-            throw drawing.wrong(message(e), "save it as UTF-8");
+            throw drawing.wrong(NOT_UTF, SAVE_AS_UTF);
         }
         return drawing;
     }
 
-    private static String message(Exception e) {
-        String text = e.getMessage() == null ? e.getClass().getSimpleName() : e.getMessage();
-        String line = text.replaceAll("[\\s\\p{Cntrl}]+", " ").replaceAll("[. ]+$", "");
-        return line.length() > 160 ? line.substring(0, 160) + "…" : line;
+    /** Says what the parser found in words that can be told in other languages, and what to do. */
+    private static XmlMistakes.Mistake mistake(SAXException e) {
+        String said = String.valueOf(e.getMessage());
+        if (said.startsWith("DOCTYPE ")) {
+            return new XmlMistakes.Mistake("the drawing has a DOCTYPE", "take the document type out");
+        }
+        XmlMistakes.Mistake mistake = XmlMistakes.of(said);
+        if (mistake.message().equals(NOT_UTF)) {
+            return new XmlMistakes.Mistake(NOT_UTF, SAVE_AS_UTF);
+        }
+        boolean foreign =
+                mistake.cure().isEmpty() || OF_SCENES.matcher(mistake.cure()).find();
+        String cure = foreign ? "give a whole SVG file" : mistake.cure();
+        if (mistake.message().equals(said)) {
+            return new XmlMistakes.Mistake("the XML cannot be read", cure);
+        }
+        String message = mistake.message().replace("</scene>", "</svg>");
+        return new XmlMistakes.Mistake(withoutLongNames(message), withoutLongNames(cure));
     }
 
-    private static String cure(Exception e) {
-        return message(e).contains("DOCTYPE") ? "take the document type out" : "give a whole SVG file";
+    private static String withoutLongNames(String text) {
+        return LONG_NAME.matcher(text).replaceAll("$1…");
     }
 
     private ExchangeException wrong(String wrong, String cure) {
@@ -130,12 +158,13 @@ final class NamosimDrawing extends DefaultHandler {
     public void startElement(String uri, String tag, String qualified, Attributes attributes) throws SAXException {
         if (open.isEmpty() && !tag.equals("svg")) {
             throw new SAXException(
-                    wrong("found <" + shortened(tag) + "> where <svg> is expected", "give an SVG drawing of NAMOSIM"));
+                    wrong("the file begins with <" + shortened(tag) + ">", "give an SVG drawing of NAMOSIM"));
         }
-        if (++elements > MAX_ELEMENTS || open.size() == MAX_DEPTH) {
-            throw new SAXException(wrong(
-                    "more than " + MAX_ELEMENTS + " elements, or " + MAX_DEPTH + " within each other",
-                    "give a simpler drawing"));
+        if (++elements > MAX_ELEMENTS) {
+            throw new SAXException(wrong("more than " + MAX_ELEMENTS + " elements", "give a simpler drawing"));
+        }
+        if (open.size() == MAX_DEPTH) {
+            throw new SAXException(wrong("elements nested more than " + MAX_DEPTH + " deep", "give a simpler drawing"));
         }
         boolean outside = !open.isEmpty() && open.peek().transformed();
         boolean transformed = outside || !value(attributes, "transform").isBlank();

@@ -83,7 +83,7 @@ public final class NamosimImport implements Importer {
     static Scene read(InputStream in, String name) throws IOException, ExchangeException {
         byte[] bytes = in.readNBytes(MAX_BYTES + 1);
         if (bytes.length > MAX_BYTES) {
-            throw new ExchangeException(name, 0, 0, "larger than " + MAX_BYTES + " bytes", "give a smaller drawing");
+            throw new ExchangeException(name, 0, 0, "more than " + MAX_BYTES + " bytes", "give a smaller file");
         }
         return new Reading(name, NamosimDrawing.read(bytes, name)).scene();
     }
@@ -222,7 +222,7 @@ public final class NamosimImport implements Importer {
             }
             Polygon outline = outline(figure);
             if (outline.size() < 3) {
-                throw wrong(figure, "an outline of " + outline.size() + " corners", "give it at least 3");
+                throw wrong(figure, "the polygon has " + outline.size() + " corners", "give it at least 3");
             }
             shapes.put(id, outline);
             return outline;
@@ -254,16 +254,18 @@ public final class NamosimImport implements Importer {
         /** Returns the outline of a figure in metres, y up, in the order of its corners. */
         private Polygon outline(NamosimDrawing.Figure figure) throws ExchangeException {
             if (!figure.tag().equals("path")) {
-                throw wrong(figure, "is no path", "make a path of it");
+                throw wrong(figure, "<" + figure.tag() + "> is no path", "make a path of it");
             }
             if (figure.transformed()) {
                 throw wrong(
-                        figure, "is transformed, or a group around it is", "apply the transform to the path's numbers");
+                        figure,
+                        "it is transformed, or a group around it is",
+                        "apply the transform to the path's numbers");
             }
             double[] outline = PathData.read(figure.d(), (wrong, cure) -> wrong(figure, wrong, cure));
             corners += outline.length / 2;
             if (corners > MAX_CORNERS) {
-                throw wrong(figure, "more than " + MAX_CORNERS + " corners so far", "give a simpler drawing");
+                throw wrong(figure, "more than " + MAX_CORNERS + " corners in all", "give a simpler drawing");
             }
             for (int i = 0; i < outline.length; i += 2) {
                 outline[i] = (outline[i] - minX) / CENTIMETRES;
@@ -274,11 +276,7 @@ public final class NamosimImport implements Importer {
 
         private ExchangeException wrong(NamosimDrawing.Figure figure, String wrong, String cure) {
             return new ExchangeException(
-                    name,
-                    figure.line(),
-                    0,
-                    figure.tag() + " " + ExchangeException.quoted(figure.id()) + ": " + wrong,
-                    cure);
+                    name, figure.line(), 0, ExchangeException.quoted(figure.id()) + ": " + wrong, cure);
         }
 
         /** Returns the scene if no check finds an error in it. */

@@ -209,7 +209,8 @@ final class PathData {
         }
         double value = Double.parseDouble(text.substring(begin, end));
         if (!Double.isFinite(value)) {
-            throw fault.of(ExchangeException.quoted(text.substring(begin, end)) + " in d", "give a finite number");
+            throw fault.of(
+                    ExchangeException.quoted(text.substring(begin, end)) + " is not finite", "give it finite numbers");
         }
         return value;
     }
@@ -229,7 +230,10 @@ final class PathData {
     }
 
     private ExchangeException found(String cure) {
-        String rest = at < text.length() ? ExchangeException.quoted(text.substring(at, at + 1)) : "the end";
+        if (at == text.length()) {
+            return fault.of("d ends after " + at + " characters", cure);
+        }
+        String rest = ExchangeException.quoted(text.substring(at, at + 1));
         return fault.of("found " + rest + " at character " + (at + 1) + " of d", cure);
     }
 }

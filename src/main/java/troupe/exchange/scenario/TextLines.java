@@ -25,7 +25,7 @@ final class TextLines {
     static TextLines read(InputStream in, String name, int limit) throws IOException, ExchangeException {
         byte[] bytes = in.readNBytes(limit + 1);
         if (bytes.length > limit) {
-            throw new ExchangeException(name, 0, 0, "larger than " + limit + " bytes", "give a smaller file");
+            throw new ExchangeException(name, 0, 0, "more than " + limit + " bytes", "give a smaller file");
         }
         return new TextLines(name, new String(bytes, StandardCharsets.ISO_8859_1));
     }

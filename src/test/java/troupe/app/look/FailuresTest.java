@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.io.RandomAccessFile;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.FileSystemException;
@@ -87,6 +88,87 @@ class FailuresTest {
             "# fps=25\n1,1.5,3,4",
             "# fps=25\n1,1,1e300,4",
             "# fps=25\n1,1,1,4\n1,1,1,4");
+    private static final String MAP = "type octile\nheight 3\nwidth 4\nmap\n.@@.\n.@@G\nTSWO\n";
+    private static final List<String> MAPS = List.of(
+            "",
+            "text",
+            "// Game: another",
+            "type octile\n",
+            "type octile\nheight 3\nheight 3\nwidth 4\nmap\n",
+            "type octile\nmap\n",
+            "type octile\nheight 60000\nwidth 60000\nmap\n",
+            MAP.replace("width 4", "width 0"),
+            MAP.replace("height 3", "height tall"),
+            MAP.replace("height 3", "tall"),
+            MAP.replace(".@@G", ".@@"),
+            MAP.replace(".@@G", ".@@x"),
+            MAP.replace("TSWO\n", ""),
+            MAP + "....\n",
+            MAP.replace("map\n", ""),
+            "type octile\nheight 1000\nwidth 1000\nmap\n"
+                    + (".@".repeat(500) + "\n" + "@.".repeat(500) + "\n").repeat(500));
+    private static final String DRAWING = """
+            <svg viewBox="0 0 400 200" xmlns="http://www.w3.org/2000/svg" xmlns:namo="namo">
+              <namo_config cell_size_cm="5.0"><agent agent_id="robot"><goal goal_id="there"/></agent></namo_config>
+              <path id="wall" type="wall" d="M 0,0 H 400 v 10 l -400,0 z"/>
+              <path id="box" type="movable" d="m 100 50 40 0 0 40 h -40 z"/>
+              <path id="robot" type="shape" d="M 40,100 60,80 80,100 60,120 Z"/>
+              <path id="there" type="shape" d="M 290,90 h20 v20 h-20 z"/>
+            </svg>
+            """;
+    private static final List<String> DRAWINGS = List.of(
+            "",
+            "text",
+            "<scene/>",
+            "<svg",
+            "<svg/>",
+            DRAWING.substring(0, 300),
+            DRAWING + "more",
+            "<!DOCTYPE svg [<!ENTITY a \"b\">]>" + DRAWING,
+            "<?xml version=\"1.0\" encoding=\"none\"?>" + DRAWING,
+            "<?xml version=\"7\"?>" + DRAWING,
+            "<?xml version=\"1.0\" encoding=\"UTF-16\"?>" + DRAWING,
+            DRAWING.replace("</svg>", "</g>"),
+            DRAWING.replace("</svg>", "<g>".repeat(80)),
+            DRAWING.replace("</svg>", "<g/>".repeat(100_001) + "</svg>"),
+            DRAWING.replace("</svg>", "<a:b/></svg>"),
+            DRAWING.replace("</svg>", "<" + "long".repeat(100) + "></svg>"),
+            DRAWING.replace("</svg>", "&amp &b; & </svg>"),
+            DRAWING.replace("</svg>", "<g id=\"a\" id=\"b\"/></svg>"),
+            DRAWING.replace("</svg>", "<g id=a/></svg>"),
+            DRAWING.replace("</svg>", "<g id=\"<\"/></svg>"),
+            DRAWING.replace("</svg>", "\u0001</svg>"),
+            DRAWING.replace("</svg>", "<!-- a -- b --></svg>"),
+            DRAWING.replace("</svg>", "]]></svg>"),
+            DRAWING.replace("0 0 400 200", ""),
+            DRAWING.replace("0 0 400 200", "0 0 wide 200"),
+            DRAWING.replace("0 0 400 200", "0 0 -400 200"),
+            DRAWING.replace("5.0", "x"),
+            DRAWING.replace("5.0", "500"),
+            DRAWING.replace("cell_size_cm=\"5.0\"", "collision_margin_cm=\"-3\""),
+            DRAWING.replace("<goal goal_id=\"there\"/>", ""),
+            DRAWING.replace("agent_id=\"robot\"", "agent_id=\"nobody\""),
+            DRAWING.replace("goal_id=\"there\"", ""),
+            DRAWING.replace("\"movable\"", "\"moveable\""),
+            DRAWING.replace("<path id=\"box\"", "<rect id=\"box\""),
+            DRAWING.replace("id=\"box\"", "id=\"box\" transform=\"scale(2)\""),
+            DRAWING.replace("id=\"box\"", ""),
+            DRAWING.replace("id=\"box\"", "id=\"wall\""),
+            DRAWING.replace("id=\"box\"", "id=\"a box\""),
+            DRAWING.replace("H 400 v", "A 400 v"),
+            DRAWING.replace("l -400,0 z", "l -400, z"),
+            DRAWING.replace("l -400,0 z", "l -400"),
+            DRAWING.replace("l -400,0 z", "l -400,0 # z"),
+            DRAWING.replace("M 0,0 H", "H"),
+            DRAWING.replace("H 400", "H 1e999"),
+            DRAWING.replace("H 400", "H 1e300"),
+            DRAWING.replace("h -40 z", "h -40 z M 9 9 z"),
+            DRAWING.replace("h -40 z", "h -40 z 9 9"),
+            DRAWING.replace("h -40 z", "h1v1".repeat(5_001)),
+            DRAWING.replace("0 40 h -40", "-40 40 h 40"),
+            DRAWING.replace("m 100 50 40 0 0 40 h -40 z", "M 0,0 9,9"),
+            DRAWING.replace("M 40,100 60,80 80,100 60,120 Z", "M 40,100 60,80"),
+            DRAWING.replace("</svg>", "<path type=\"movable\" d=\"M0 0C5e5 0 0 5e5 5 5\"/>".repeat(200) + "</svg>"));
 
     @TempDir
     Path folder;
@@ -166,6 +248,48 @@ class FailuresTest {
             } catch (RunException e) {
                 look(file, e);
             }
+        }
+        assertTrue(told > 300, told + " told");
+        assertEquals(Set.of(), english, "seed " + seed);
+    }
+
+    private void bring(Path file) throws IOException {
+        try {
+            Formats.importerFor(file).orElseThrow().read(file);
+        } catch (ExchangeException e) {
+            look(file, e);
+        }
+    }
+
+    @Test
+    void badFilesOfOthersAreToldInChinese() throws IOException {
+        for (String text : MAPS) {
+            bring(file("a.map", text));
+        }
+        for (String text : DRAWINGS) {
+            bring(file("a.svg", text));
+        }
+        bring(Files.write(folder.resolve("a.svg"), new byte[] {'<', (byte) 0xff, (byte) 0xfe}));
+        for (String name : List.of("a.map", "a.svg")) {
+            try (RandomAccessFile large =
+                    new RandomAccessFile(folder.resolve(name).toFile(), "rw")) {
+                large.setLength(40L << 20);
+            }
+            bring(folder.resolve(name));
+        }
+        assertEquals(MAPS.size() + DRAWINGS.size() + 3, told);
+        assertEquals(Set.of(), english);
+    }
+
+    @Test
+    void damagedFilesOfOthersAreToldInChinese() throws IOException {
+        long seed = Long.getLong("seed", 13);
+        Random random = new Random(seed);
+        for (int i = 0; i < 300; i++) {
+            byte[] map = MAP.getBytes(StandardCharsets.UTF_8);
+            bring(Files.write(folder.resolve("a.map"), damaged(map, random)));
+            byte[] drawing = DRAWING.getBytes(StandardCharsets.UTF_8);
+            bring(Files.write(folder.resolve("a.svg"), damaged(drawing, random)));
         }
         assertTrue(told > 300, told + " told");
         assertEquals(Set.of(), english, "seed " + seed);

@@ -44,9 +44,14 @@ class SentencesTest {
             "GifExport",
             "ImageExport",
             "Instants",
+            "MovingAiMap",
+            "NamosimDrawing",
+            "NamosimImport",
+            "PathData",
             "PedestrianGround",
             "Places",
             "PngFile",
+            "TextLines",
             "WalkableArea");
 
     private static String tell(String sentence) {

@@ -197,27 +197,27 @@ class NamosimImportTest {
     @Test
     void saysInOneLineWhereADrawingIsWrongAndWhatToDo() {
         assertMessage(
-                "small.svg:3: path 'wall': command 'A' at character 7 of d; draw it with M L H V C Z alone",
+                "small.svg:3: 'wall': command 'A' at character 7 of d; draw it with M L H V C Z alone",
                 SMALL.replace("H 400 v", "A 400 v"));
         assertMessage(
-                "small.svg:3: path 'wall': found 'z' at character 26 of d; give a number",
+                "small.svg:3: 'wall': found 'z' at character 26 of d; give a number",
                 SMALL.replace("l -400,0 z", "l -400, z"));
         assertMessage(
-                "small.svg:4: path 'box': more than one outline, the second at character 28 of d;"
+                "small.svg:4: 'box': more than one outline, the second at character 28 of d;"
                         + " break the path apart; an obstacle has one outline without holes",
                 SMALL.replace("h -40 z", "h -40 z M 9 9 z"));
         assertMessage(
-                "small.svg:4: path 'box': is transformed, or a group around it is;"
+                "small.svg:4: 'box': it is transformed, or a group around it is;"
                         + " apply the transform to the path's numbers",
                 SMALL.replace("id=\"box\"", "id=\"box\" transform=\"scale(2)\""));
         assertMessage(
                 "small.svg:4: 'box': the outline meets itself: its edges 2 and 4; move a corner of one of them",
                 SMALL.replace("0 40 h -40", "-40 40 h 40"));
         assertMessage(
-                "small.svg:4: path 'box': type is 'moveable'; known are wall, movable, shape, orientation",
+                "small.svg:4: 'box': type is 'moveable'; known are wall, movable, shape, orientation",
                 SMALL.replace("movable", "moveable"));
         assertMessage(
-                "small.svg:4: rect 'box': is no path; make a path of it",
+                "small.svg:4: 'box': <rect> is no path; make a path of it",
                 SMALL.replace("<path id=\"box\"", "<rect id=\"box\""));
         assertMessage(
                 "small.svg:2: goal_id is 'where', and no path or group with a shape has that id; give it the id of one",
@@ -234,7 +234,7 @@ class NamosimImportTest {
 
     @Test
     void refusesWhatIsNoDrawing() {
-        assertMessage("small.svg:1: found <scene> where <svg> is expected; give an SVG drawing of NAMOSIM", "<scene/>");
+        assertMessage("small.svg:1: the file begins with <scene>; give an SVG drawing of NAMOSIM", "<scene/>");
         String bomb = "<!DOCTYPE svg [<!ENTITY a \"b\">]>" + SMALL;
         assertTrue(assertThrows(ExchangeException.class, () -> scene(bomb))
                 .getMessage()
