@@ -15,6 +15,7 @@ import javax.swing.JPopupMenu;
 import javax.swing.JScrollPane;
 import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
+import troupe.app.document.SceneDocument;
 import troupe.app.look.Look;
 import troupe.app.look.widget.FlatButton;
 import troupe.app.look.widget.ThinScrollBarUI;
@@ -45,6 +46,12 @@ public final class AspectBar extends Panel {
         setName("aspects");
         setOpaque(false);
         observing(session.plans().add(plan -> refresh()));
+        observing(session.document().listeners().add(change -> {
+            if (change == SceneDocument.Change.OPENED) {
+                aspects = List.of();
+                refresh();
+            }
+        }));
         observing(session.overlays().listeners().add(choice -> build()));
         refresh();
     }

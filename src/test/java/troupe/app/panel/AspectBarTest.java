@@ -71,4 +71,13 @@ class AspectBarTest {
         Await.until("the first again", () -> offered(bar).equals(List.of("Space: as drawn")));
         assertEquals(List.of(), OnEventThread.get(() -> session.overlays().chosen()));
     }
+
+    @Test
+    void aSavedRunHasNoChoicesOfTheSceneBefore() {
+        AspectBar bar = bar(Locale.ENGLISH);
+        OnEventThread.run(session::planNow);
+        Await.until("spaces are offered", () -> offered(bar).equals(List.of("Space: as drawn")));
+        OnEventThread.run(() -> session.show(session.run().orElseThrow()));
+        assertEquals(List.of(), offered(bar));
+    }
 }
