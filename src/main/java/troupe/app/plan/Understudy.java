@@ -5,6 +5,8 @@ import java.util.Optional;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Supplier;
 import troupe.run.Run;
@@ -22,10 +24,16 @@ final class Understudy {
 
     private final Supplier<Simulation> fresh;
     private final ThreadPoolExecutor worker;
+    private final AtomicReference<Place> asked = new AtomicReference<>();
+    private final AtomicBoolean busy = new AtomicBoolean();
+    /** What has been gone to last, or given up; null if nothing was asked for then. */
+    private volatile Place served;
+
     private Simulation engine;
     private List<Run.Input> inputs = List.of();
-    private long target = -1;
-    private boolean busy;
+
+    /** Where to go: a step of the run that was given all inputs. */
+    private record Place(long step, List<Run.Input> inputs) {}
 
     /** Makes an understudy of the engines that {@code fresh} starts. */
     Understudy(Supplier<Simulation> fresh) {
@@ -39,46 +47,57 @@ final class Understudy {
         worker.allowCoreThreadTimeOut(true);
     }
 
-    /** Goes to a step of the run that was given {@code all} inputs; the newest call wins. Returns at once. */
-    synchronized void follow(long step, List<Run.Input> all) {
-        if (!all.equals(inputs)) {
-            engine = null;
-            inputs = all;
-        }
-        target = step;
-        if (!busy) {
-            busy = true;
+    /**
+     * Goes to a step of the run that was given {@code all} inputs; the newest call wins. Returns at once, whatever the
+     * engine is doing, for it is called where the moment is shown.
+     */
+    void follow(long step, List<Run.Input> all) {
+        asked.set(new Place(step, all));
+        if (busy.compareAndSet(false, true)) {
             worker.execute(this::work);
         }
     }
 
     private void work() {
-        long begin = System.nanoTime();
-        while (advance()) {
-            LockSupport.parkNanos(System.nanoTime() - begin);
-            begin = System.nanoTime();
-        }
+        do {
+            long begin = System.nanoTime();
+            while (advance()) {
+                LockSupport.parkNanos(System.nanoTime() - begin);
+                begin = System.nanoTime();
+            }
+            busy.set(false);
+            // what was asked for after the last look and before this is not left undone
+        } while (asked.get() != served && busy.compareAndSet(false, true));
     }
 
     /** Steps for a moment, and tells whether there is more to do. */
     private synchronized boolean advance() {
-        if (target < 0) {
-            busy = false;
+        Place place = asked.get();
+        if (place == null) {
+            served = null;
             return false;
         }
-        if (engine == null || engine.progress().work() > target) {
+        if (!place.inputs().equals(inputs)) {
+            engine = null;
+            inputs = place.inputs();
+        }
+        if (engine == null || engine.progress().work() > place.step()) {
             engine = fresh.get();
         }
         long begin = System.nanoTime();
-        while (engine.progress().work() < target
+        while (engine.progress().work() < place.step()
                 && engine.outcome().isRunning()
                 && System.nanoTime() - begin < SLICE_NANOS) {
             long now = engine.progress().work();
             inputs.stream().filter(input -> input.step() == now).forEach(engine::give);
             engine.step(1);
         }
-        busy = engine.progress().work() < target && engine.outcome().isRunning();
-        return busy;
+        boolean more =
+                engine.progress().work() < place.step() && engine.outcome().isRunning();
+        if (!more) {
+            served = place;
+        }
+        return more;
     }
 
     /**
@@ -89,7 +108,7 @@ final class Understudy {
     synchronized Optional<Simulation> take(long step, List<Run.Input> kept) {
         Simulation one = engine;
         engine = null;
-        target = -1;
+        asked.set(null);
         return Optional.ofNullable(one)
                 .filter(e -> e.outcome().isRunning() && e.progress().work() <= step)
                 .filter(e -> e.run().inputs().equals(before(e.progress().work(), kept)));
