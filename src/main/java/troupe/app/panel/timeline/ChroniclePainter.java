@@ -91,10 +91,14 @@ final class ChroniclePainter {
         g.setStroke(Theme.line(1.8f));
         g.draw(line(curve, duration, top, bottom));
         g.setColor(look.color(Tone.DIM));
-        g.drawString(look.text("plot." + curve.key()), (float) left, rows.plotTop() + 10);
+        String name = look.text("plot." + curve.key());
+        g.drawString(name, (float) left, rows.plotTop() + 10);
         String total = Texts.number(curve.most(), 2);
-        float at = (float) right - g.getFontMetrics().stringWidth(total);
-        g.drawString(total, at, rows.plotTop() + 10);
+        FontMetrics metrics = g.getFontMetrics();
+        // a run that has only begun has no room for it beside the name
+        if (right - left >= metrics.stringWidth(name) + TEXT_MARGIN + metrics.stringWidth(total)) {
+            g.drawString(total, (float) right - metrics.stringWidth(total), rows.plotTop() + 10);
+        }
     }
 
     private Path2D line(Chronicle.Curve curve, double duration, double top, double bottom) {
